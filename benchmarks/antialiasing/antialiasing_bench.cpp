@@ -20,7 +20,7 @@
 #include <foredraw/io/image/picture.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/built_in_plugins.h>
 
 #include <fmt/format.h>
@@ -107,10 +107,10 @@ std::vector<Case> cases() {
 
 /// The middle of each picture, magnified, one beside the other.
 void write_strip(const std::string& folder, const std::string& name, const Antialiasing& found) {
-  using enum antialias::Way;
+  using enum evaluators::antialiasing::Way;
   constexpr int crop = 64, times = 3, gap = 6, edge = crop * times;
   std::vector<const FramePicture*> pictures;
-  for (const antialias::Way way : {none, msaa_4, second_depth, wire_clamp_msaa_4, wire_coverage}) {
+  for (const evaluators::antialiasing::Way way : {none, msaa_4, second_depth, wire_clamp_msaa_4, wire_coverage}) {
     const auto of = std::ranges::find(found.ways, way, &Antialiasing::OfWay::way);
     if (of != found.ways.end() && (way != second_depth || !found.has_wires)) pictures.push_back(&of->picture);
   }

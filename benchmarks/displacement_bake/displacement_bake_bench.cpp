@@ -8,8 +8,8 @@
 // which have no codec, go to deflate alone.
 
 #include <foredraw/analysis/surface_distance.h>
+#include <foredraw/displaced/baked_heights.h>
 #include <foredraw/io/scene_file.h>
-#include <foredraw/scene/baked_heights.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <foredraw/viewing/displaced_draw.h>
 

@@ -1,9 +1,9 @@
 #include "crowd_pictures.h"
 
 #include <foredraw/base/random.h>
+#include <foredraw/crowds/crowd_levels.h>
 #include <foredraw/runtime/crowd_select.h>
 #include <foredraw/runtime/tessellation_level.h>
-#include <foredraw/scene/crowd_levels.h>
 #include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>

@@ -10,8 +10,8 @@
 #include "pictures.h"
 #include "seam_pictures.h"
 
+#include <foredraw/displaced/tessellation_levels.h>
 #include <foredraw/io/scene_file.h>
-#include <foredraw/scene/tessellation_levels.h>
 #include <foredraw/technique/built_in_plugins.h>
 
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 // turn, of a camera that moves; budgets are shares of what full detail costs.
 //   lod-select-bench
 
+#include <benchmarks/lod_select/lod_methods.h>
 #include <benchmarks/timing.h>
 
-#include <foredraw/runtime/lod_methods.h>
 #include <foredraw/runtime/lod_select.h>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "merge_figures.h"
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <algorithm>
 #include <chrono>

@@ -34,7 +34,7 @@ struct Wanted {
   std::vector<std::string> kits{"city", "space"};
   std::vector<std::uint64_t> instances{10'000, 100'000};
   double mirrored = 0;
-  MergeSceneOptions merging{{}, merging::SharedMaterials::kind};
+  MergeSceneOptions merging{{}, processors::merge_instances::SharedMaterials::kind};
   int rounds = 7, frames = 0, threads = 2;
   bool is_markdown = false;
   std::string tsv;
@@ -66,7 +66,7 @@ bool read_argument(std::string_view word, Wanted& wanted) {
     return value == "city" || value == "space";
   }
   if (name == "--materials") {
-    if (value == "alike") wanted.merging.materials = merging::SharedMaterials::alike;
+    if (value == "alike") wanted.merging.materials = processors::merge_instances::SharedMaterials::alike;
     return value == "alike" || value == "kind";
   }
   if (name == "--tsv") {

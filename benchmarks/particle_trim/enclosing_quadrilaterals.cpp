@@ -21,9 +21,10 @@ double area(const std::array<Kernel::Point_2, 4>& corners) {
 
 }  // namespace
 
-std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(std::span<const trim::Point> hull) {
+std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(
+    std::span<const processors::particle_trim::Point> hull) {
   std::vector<Kernel::Point_2> corners;
-  for (const trim::Point& corner : hull) corners.emplace_back(corner.x, corner.y);
+  for (const processors::particle_trim::Point& corner : hull) corners.emplace_back(corner.x, corner.y);
   std::array<Kernel::Point_2, 4> rectangle, parallelogram;
   CGAL::min_rectangle_2(corners.begin(), corners.end(), rectangle.begin());
   CGAL::min_parallelogram_2(corners.begin(), corners.end(), parallelogram.begin());
@@ -36,7 +37,9 @@ std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(std::span<const 
 
 namespace foredraw::bench {
 
-std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(std::span<const trim::Point>) { return std::nullopt; }
+std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(std::span<const processors::particle_trim::Point>) {
+  return std::nullopt;
+}
 
 }  // namespace foredraw::bench
 

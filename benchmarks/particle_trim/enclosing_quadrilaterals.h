@@ -14,6 +14,6 @@ struct EnclosingQuadrilaterals {
 };
 
 /// Round a hull of three corners or more, in the square of its unit. None where this was built without CGAL.
-std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(std::span<const trim::Point> hull);
+std::optional<EnclosingQuadrilaterals> enclosing_quadrilaterals(std::span<const processors::particle_trim::Point> hull);
 
 }  // namespace foredraw::bench

@@ -31,8 +31,9 @@ ParticleTexture particle_texture(const fs::path& file) {
   if (const std::string* why = std::get_if<std::string>(&texels)) throw std::runtime_error(file.string() + ": " + *why);
   texture.texels = std::move(std::get<Texels>(texels));
   for (const Draw& draw : read->scene.draws) {
-    const trim::Point corner{draw.frame->x * steps_per_texel, draw.frame->y * steps_per_texel};
-    const trim::Point size{draw.frame->width * steps_per_texel, draw.frame->height * steps_per_texel};
+    const processors::particle_trim::Point corner{draw.frame->x * steps_per_texel, draw.frame->y * steps_per_texel};
+    const processors::particle_trim::Point size{draw.frame->width * steps_per_texel,
+                                                draw.frame->height * steps_per_texel};
     texture.frames.push_back({corner, corner + size});
   }
   return texture;

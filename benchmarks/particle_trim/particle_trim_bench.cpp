@@ -94,7 +94,8 @@ class Times {
 std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const ParticleTrimOptions& options,
                                    const Executor& executor) {
   const AlphaImage alpha = alpha_image(texture.texels);
-  const trim::ShownImage image(alpha, particle_sampling, trim::footprint_of(options));
+  const processors::particle_trim::ShownImage image(alpha, particle_sampling,
+                                                    processors::particle_trim::footprint_of(options));
   std::vector<TrimmedSprite> sprites(texture.frames.size());
   executor.for_each(texture.frames.size(), [&](std::size_t i) {
     sprites[i] = particle_trim(image, std::span(&texture.frames[i], 1), options).front();
@@ -103,30 +104,32 @@ std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const Particl
 }
 
 /// What shows in each frame; empty where nothing does.
-std::vector<std::vector<trim::Point>> hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
+std::vector<std::vector<processors::particle_trim::Point>> hulls(const ParticleTexture& texture,
+                                                                 const ParticleTrimOptions& options) {
   const AlphaImage alpha = alpha_image(texture.texels);
-  const trim::ShownImage image(alpha, particle_sampling, trim::footprint_of(options));
-  std::vector<std::vector<trim::Point>> made;
+  const processors::particle_trim::ShownImage image(alpha, particle_sampling,
+                                                    processors::particle_trim::footprint_of(options));
+  std::vector<std::vector<processors::particle_trim::Point>> made;
   for (const TrimFrame& frame : texture.frames) {
-    std::vector<trim::Point> shown = image.shown_points(frame);
-    for (trim::Point& point : shown) point = point - frame.least;
+    std::vector<processors::particle_trim::Point> shown = image.shown_points(frame);
+    for (processors::particle_trim::Point& point : shown) point = point - frame.least;
     const TrimFrame at_origin{{0, 0}, frame.most - frame.least};
-    made.push_back(shown.empty() ? shown : trim::padded_hull(shown, at_origin, image.options()));
+    made.push_back(shown.empty() ? shown : processors::particle_trim::padded_hull(shown, at_origin, image.options()));
   }
   return made;
 }
 
-double area_of(const std::vector<trim::Point>& hull) {
+double area_of(const std::vector<processors::particle_trim::Point>& hull) {
   double doubled = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    doubled += static_cast<double>(trim::cross(hull[i], hull[(i + 1) % hull.size()]));
+    doubled += static_cast<double>(processors::particle_trim::cross(hull[i], hull[(i + 1) % hull.size()]));
   }
   return doubled / 2;
 }
 
-double rectangle_area(const std::vector<trim::Point>& hull) {
-  const auto [left, right] = std::ranges::minmax(hull, {}, &trim::Point::x);
-  const auto [up, down] = std::ranges::minmax(hull, {}, &trim::Point::y);
+double rectangle_area(const std::vector<processors::particle_trim::Point>& hull) {
+  const auto [left, right] = std::ranges::minmax(hull, {}, &processors::particle_trim::Point::x);
+  const auto [up, down] = std::ranges::minmax(hull, {}, &processors::particle_trim::Point::y);
   return static_cast<double>(right.x - left.x) * static_cast<double>(down.y - up.y);
 }
 
@@ -183,7 +186,7 @@ class Bench {
 
   /// The hulls, and what is round them without a search for a polygon. And whether something shows in each frame.
   std::vector<bool> write_hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
-    std::vector<std::vector<trim::Point>> found;
+    std::vector<std::vector<processors::particle_trim::Point>> found;
     Times alpha_times, hull_times;
     for (std::size_t round = 0; round < rounds_; ++round) {
       alpha_times.add([&] { alpha_image(texture.texels); });
@@ -193,7 +196,7 @@ class Bench {
     std::vector<std::size_t> corners;
     std::vector<double> areas, rectangles, turned_rectangles, parallelograms;
     for (std::size_t tile = 0; tile < found.size(); ++tile) {
-      const std::vector<trim::Point>& hull = found[tile];
+      const std::vector<processors::particle_trim::Point>& hull = found[tile];
       shows.push_back(!hull.empty());
       if (hull.empty()) continue;
       const double frame_area = texture.frames[tile].area();

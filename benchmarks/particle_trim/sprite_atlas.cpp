@@ -41,9 +41,9 @@ ParticleTexture sprite_atlas(std::span<const ParticleTexture> textures) {
       }
     }
     constexpr std::int64_t steps = side * steps_per_texel;
-    const trim::Point corner{static_cast<std::int64_t>(left) * steps_per_texel,
-                             static_cast<std::int64_t>(up) * steps_per_texel};
-    atlas.frames.push_back({corner, corner + trim::Point{steps, steps}});
+    const processors::particle_trim::Point corner{static_cast<std::int64_t>(left) * steps_per_texel,
+                                                  static_cast<std::int64_t>(up) * steps_per_texel};
+    atlas.frames.push_back({corner, corner + processors::particle_trim::Point{steps, steps}});
   }
   return atlas;
 }

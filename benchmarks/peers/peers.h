@@ -6,7 +6,7 @@
 namespace foredraw {
 
 /// meshopt-vertex-cache, meshopt-vertex-cache-fifo, meshopt-overdraw: meshoptimizer's orders, from Debian's
-/// libmeshoptimizer.
+/// libmeshoptimizer. energy-collapse: the simplifier of Hoppe's progressive meshes.
 void add_peers(Registry& registry);
 
 }  // namespace foredraw

@@ -6,7 +6,7 @@
 //   simplifiers-bench [--rounds=7] [--most-energy=7000] [--tsv=FILE] FILES
 
 #include <benchmarks/meshes/one_mesh.h>
-#include <plugins/processors/energy_collapse/energy_collapse.h>
+#include <benchmarks/peers/energy_collapse/energy_collapse.h>
 #include <plugins/processors/openmesh_decimate/openmesh_decimate.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
 #ifdef FOREDRAW_HAS_CGAL_COLLAPSE

@@ -42,12 +42,12 @@ void compare_precision(const std::string& file) {
   std::iota(draws.begin(), draws.end(), DrawId{0});
   const Executor executor(1);
   Analyses analyses;
-  const packing::PackedScene packed = packing::pack_scene(scene, draws, SubjectUnit::character,
-                                                          make_poses(scene, {.poses = "all"}), {}, analyses, executor);
+  const processors::vertex_pack::PackedScene packed = processors::vertex_pack::pack_scene(
+      scene, draws, SubjectUnit::character, make_poses(scene, {.poses = "all"}), {}, analyses, executor);
   PackedBounds ours;
   PeerErrors theirs;
   std::size_t vertices = 0;
-  for (const packing::PackedDraw& draw : packed.draws) {
+  for (const processors::vertex_pack::PackedDraw& draw : packed.draws) {
     const VertexStreams& streams = *scene.draws[draw.packed.draw].full().vertices;
     const PackedErrors is = packed_errors(streams, draw.packed.layout, draw.packed.rows[0].view());
     const PeerErrors peer = peer_errors(streams);
@@ -96,12 +96,12 @@ Vertices random_vertices(std::size_t count) {
 void measure_speed(std::size_t count) {
   const Vertices plain = random_vertices(count);
   Vertices again = plain, copied = plain;
-  packing::Demand demand{.displacement = 0.002, .slope = 0.2, .most_angle_error = 0.065};
+  processors::vertex_pack::Demand demand{.displacement = 0.002, .slope = 0.2, .most_angle_error = 0.065};
   demand.box.add({0, 0, 0});
   demand.box.add({1, 1, 1});
   demand.normals = demand.tangents = demand.uvs = true;
   demand.uv_extent = {1, 1};
-  const PackedLayout layout = packing::best_layout(demand).value();
+  const PackedLayout layout = processors::vertex_pack::best_layout(demand).value();
   std::vector<std::uint32_t> rows(4 * count);
   const auto copy = [](auto& to, const auto& from) {
     std::memcpy(to.data(), from.data(), from.size() * sizeof from[0]);

@@ -3,6 +3,7 @@
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/io/scene_file.h>
 
 #include <glm/geometric.hpp>

@@ -7,9 +7,9 @@ namespace foredraw {
 
 namespace {
 
-using antialias::PixelMask;
-using antialias::Sum;
-using antialias::Way;
+using evaluators::antialiasing::PixelMask;
+using evaluators::antialiasing::Sum;
+using evaluators::antialiasing::Way;
 
 /// What a way comes to in one view.
 struct ViewSums {
@@ -53,7 +53,7 @@ class Contest {
       : scene_(scene), moment_(moment), options_(options) {
     found_.has_wires = has_wires(scene);
     for (const Way way : options.ways) {
-      if (antialias::is_for_wires(way) && !found_.has_wires) continue;
+      if (evaluators::antialiasing::is_for_wires(way) && !found_.has_wires) continue;
       if (way == Way::second_depth && options.closed == nullptr) continue;
       found_.ways.push_back({.way = way, .rmse = {}, .flicker = {}, .broken = {}, .ink = {}, .picture = {}});
     }
@@ -65,31 +65,34 @@ class Contest {
 
   void draw(const FrameCamera& camera, std::size_t picture, FramePictures& to) const {
     const auto objects = seen(camera);
-    const antialias::Frame frame{scene_, moment_, camera, options_.size, objects, options_.closed};
+    const evaluators::antialiasing::Frame frame{scene_, moment_, camera, options_.size, objects, options_.closed};
     if (picture == 0) {
       to.truth = truth(frame, false);
-      to.touched = antialias::touched_pixels(to.truth);
+      to.touched = evaluators::antialiasing::touched_pixels(to.truth);
     } else {
-      to.ways[picture - 1] = antialias::picture_of(frame, found_.ways[picture - 1].way);
+      to.ways[picture - 1] = evaluators::antialiasing::picture_of(frame, found_.ways[picture - 1].way);
     }
   }
 
   void add_view(const std::vector<FrameCamera>& cameras, const std::vector<FramePictures>& frames) {
     const auto objects = seen(cameras.front());
-    const antialias::Frame first{scene_, moment_, cameras.front(), options_.size, objects, options_.closed};
-    floors_.push_back(
-        antialias::squared_errors(truth(first, true).picture, frames.front().truth.picture, frames.front().touched));
+    const evaluators::antialiasing::Frame first{scene_,        moment_, cameras.front(),
+                                                options_.size, objects, options_.closed};
+    floors_.push_back(evaluators::antialiasing::squared_errors(truth(first, true).picture, frames.front().truth.picture,
+                                                               frames.front().touched));
     for (std::size_t w = 0; w < found_.ways.size(); ++w) {
       ViewSums sums;
       for (std::size_t f = 0; f < frames.size(); ++f) {
         const FramePictures& frame = frames[f];
-        sums.errors += antialias::squared_errors(frame.ways[w].picture, frame.truth.picture, frame.touched);
-        sums.broken += antialias::broken_pixels(frame.ways[w], frame.truth);
-        sums.ink += antialias::ink(frame.ways[w], frame.truth);
+        sums.errors +=
+            evaluators::antialiasing::squared_errors(frame.ways[w].picture, frame.truth.picture, frame.touched);
+        sums.broken += evaluators::antialiasing::broken_pixels(frame.ways[w], frame.truth);
+        sums.ink += evaluators::antialiasing::ink(frame.ways[w], frame.truth);
         if (f == 0) continue;
         const FramePictures& before = frames[f - 1];
-        sums.flicker += antialias::squared_flicker(before.ways[w].picture, frame.ways[w].picture, before.truth.picture,
-                                                   frame.truth.picture, antialias::both(before.touched, frame.touched));
+        sums.flicker += evaluators::antialiasing::squared_flicker(
+            before.ways[w].picture, frame.ways[w].picture, before.truth.picture, frame.truth.picture,
+            evaluators::antialiasing::both(before.touched, frame.touched));
       }
       if (sums_[w].empty()) found_.ways[w].picture = frames.front().ways[w].picture;
       sums_[w].push_back(sums);
@@ -128,7 +131,7 @@ class Contest {
     return objects;
   }
 
-  SampledPicture truth(const antialias::Frame& frame, bool other) const {
+  SampledPicture truth(const evaluators::antialiasing::Frame& frame, bool other) const {
     return sampled_picture(scene_, moment_, frame.camera, frame.size, frame.objects,
                            hammersley_places(options_.truth_samples, other), {.marks_wires = true});
   }

@@ -19,9 +19,11 @@ namespace foredraw {
 struct AntialiasingOptions {
   FrameSize size{256, 256};  ///< of the pictures
   int truth_samples = 256;   ///< a power of two
-  std::vector<antialias::Way> ways{antialias::all_ways.begin(), antialias::all_ways.end()};
+  std::vector<evaluators::antialiasing::Way> ways{evaluators::antialiasing::all_ways.begin(),
+                                                  evaluators::antialiasing::all_ways.end()};
   Rendering rendering = Rendering::full;
-  const std::vector<std::uint32_t>* closed = nullptr;  ///< as antialias::Frame has it; null: without second_depth
+  const std::vector<std::uint32_t>* closed =
+      nullptr;  ///< as evaluators::antialiasing::Frame has it; null: without second_depth
 };
 
 /// A figure, and its standard deviation by leaving out one view after another; 0 where there is one view alone.
@@ -31,7 +33,7 @@ struct AntialiasingFigure {
 
 struct Antialiasing {
   struct OfWay {
-    antialias::Way way = antialias::Way::none;
+    evaluators::antialiasing::Way way = evaluators::antialiasing::Way::none;
     AntialiasingFigure rmse, flicker;  ///< root mean squares over touched pixels, of a channel's range
     AntialiasingFigure broken;         ///< part of the pixels that wires touch
     AntialiasingFigure ink;            ///< of wires, more than there should be: 0.1 is a tenth more

@@ -1,7 +1,7 @@
 #include "antialiasing.h"
 
 #include <foredraw/frames/picture_error.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace foredraw {
 
 namespace {
 
-using antialias::Way;
+using evaluators::antialiasing::Way;
 
 struct AntialiasingSettings {
   std::string ways =
@@ -35,8 +35,9 @@ std::vector<Way> ways_in(const std::string& text) {
   std::vector<Way> ways;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const auto found = std::ranges::find(antialias::all_ways, word, [](Way way) { return to_text(way); });
-    if (found == antialias::all_ways.end()) {
+    const auto found =
+        std::ranges::find(evaluators::antialiasing::all_ways, word, [](Way way) { return to_text(way); });
+    if (found == evaluators::antialiasing::all_ways.end()) {
       throw std::invalid_argument(fmt::format(
           "'{}' is not one of the ways; expected none, msaa-2, msaa-4, msaa-8, post, second-depth, wire-clamp, "
           "wire-clamp-msaa-4, wire-coverage or wire-coverage-msaa-4, separated by spaces",
@@ -123,7 +124,8 @@ class AntialiasingEvaluator final : public Evaluator {
       return std::ranges::find(ways_, way) != ways_.end() &&
              std::ranges::find(found.ways, way, &Antialiasing::OfWay::way) == found.ways.end();
     };
-    if (std::ranges::any_of(ways_, [&](Way way) { return antialias::is_for_wires(way) && is_left_out(way); })) {
+    if (std::ranges::any_of(ways_,
+                            [&](Way way) { return evaluators::antialiasing::is_for_wires(way) && is_left_out(way); })) {
       run.note("no-wires", "no vertex stores a wire, so the ways for wires are left out; put wire-radius before it");
     }
     if (is_left_out(Way::second_depth)) {

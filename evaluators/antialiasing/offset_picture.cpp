@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 SampledPicture offset_picture(const SampledPicture& picture, const PixelOffsets& offsets) {
   SampledPicture made = picture;
@@ -31,4 +31,4 @@ SampledPicture offset_picture(const SampledPicture& picture, const PixelOffsets&
   return made;
 }
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

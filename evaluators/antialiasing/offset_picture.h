@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 /// What filters answer: from where each pixel fetches its colour, from its middle to the right and downwards in pixels.
 using PixelOffsets = std::vector<glm::vec2>;  ///< [pixel] rows from the top
@@ -13,4 +13,4 @@ using PixelOffsets = std::vector<glm::vec2>;  ///< [pixel] rows from the top
 /// One bilinear fetch a pixel; beyond the edges the picture goes on as it ends. `spreads` are not moved.
 SampledPicture offset_picture(const SampledPicture& picture, const PixelOffsets& offsets);
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

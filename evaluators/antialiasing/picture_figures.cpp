@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 namespace {
 
@@ -94,4 +94,4 @@ Sum ink(const SampledPicture& picture, const SampledPicture& truth) {
   return sum;
 }
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 /// A sum over pixels, and how many or what they are held against.
 struct Sum {
@@ -39,4 +39,4 @@ Sum broken_pixels(const SampledPicture& picture, const SampledPicture& truth);
 /// The share of wires, and that in the truth.
 Sum ink(const SampledPicture& picture, const SampledPicture& truth);
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

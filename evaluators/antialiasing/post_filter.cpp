@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 namespace {
 
@@ -100,4 +100,4 @@ PixelOffsets post_offsets(const FramePicture& picture) {
   return offsets;
 }
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 namespace {
 
@@ -50,4 +50,4 @@ PixelOffsets second_depth_offsets(const Frame& frame) {
   return offsets;
 }
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

@@ -4,10 +4,10 @@
 #include "offset_picture.h"
 #include "ways.h"
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 /// Draws the frame's depth and its second depth, of `frame.closed`, and resolves both axes of each pixel. Depth is that
 /// of a reversed projection with its far plane at infinity, in floats.
 PixelOffsets second_depth_offsets(const Frame& frame);
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

@@ -4,7 +4,7 @@
 #include "post_filter.h"
 #include "second_depth_filter.h"
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 bool is_for_wires(Way way) {
   return way == Way::wire_clamp || way == Way::wire_clamp_msaa_4 || way == Way::wire_coverage ||
@@ -36,4 +36,4 @@ SampledPicture picture_of(const Frame& frame, Way way) {
   return picture;
 }
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

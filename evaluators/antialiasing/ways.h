@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace foredraw::antialias {
+namespace foredraw::evaluators::antialiasing {
 
 enum class Way : std::uint8_t {
   none,
@@ -66,4 +66,4 @@ struct Frame {
 /// Linear colours, and the share of wires, rows from the top. `closed` has to be there for second_depth.
 SampledPicture picture_of(const Frame& frame, Way way);
 
-}  // namespace foredraw::antialias
+}  // namespace foredraw::evaluators::antialiasing

@@ -1,8 +1,8 @@
 #pragma once
 // Who chooses the levels of a crowd.
 
+#include <foredraw/crowds/crowd_levels.h>
 #include <foredraw/runtime/crowd_select.h>
-#include <foredraw/scene/crowd_levels.h>
 
 #include <cstdint>
 #include <span>

@@ -4,7 +4,7 @@
 // N. Tatarchuk, J. Barczak, B. Purnomo: Real-Time Tessellation on GPU, SIGGRAPH 2008 course notes: multi-pass
 // animation, and its vertex compression.
 
-#include <foredraw/scene/crowd_levels.h>
+#include <foredraw/crowds/crowd_levels.h>
 #include <foredraw/scene/scene.h>
 
 #include <array>

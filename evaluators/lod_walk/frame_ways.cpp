@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 namespace {
 
@@ -137,4 +137,4 @@ std::vector<foredraw_lod_way> with_hysteresis(const FrameWays& frame, const std:
   return ways;
 }
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

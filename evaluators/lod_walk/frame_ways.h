@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 /// What a level's or a rendering's accuracy is taken from.
 enum class Accuracy : std::uint8_t {
@@ -79,4 +79,4 @@ std::vector<foredraw_lod_way> with_hysteresis(const FrameWays& frame, const std:
 
 inline constexpr std::uint32_t not_seen = ~std::uint32_t{0};
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 namespace {
 
@@ -41,46 +41,6 @@ class FedBack final : public BySize {
 
  private:
   double budget_;
-};
-
-class ByValue final : public LevelChooser {
- public:
-  explicit ByValue(const ChooserOptions& options) : options_(options) {}
-
-  std::vector<std::uint32_t> choose(const FrameWays& frame, const std::vector<WayName>& last) override {
-    const std::vector<foredraw_lod_way> ways = with_hysteresis(frame, last, options_.hysteresis);
-    const foredraw_lod_scene scene = frame.scene(ways);
-    std::vector<std::uint32_t> chosen(frame.seen.size());
-    memory_.resize(2 * ways.size());
-    foredraw_lod_by_value(&scene, static_cast<std::uint64_t>(options_.budget), chosen.data(), memory_.data());
-    return chosen;
-  }
-
- private:
-  ChooserOptions options_;
-  std::vector<std::uint32_t> memory_;
-};
-
-class Incremental final : public LevelChooser {
- public:
-  explicit Incremental(const ChooserOptions& options) : options_(options) {}
-
-  std::vector<std::uint32_t> choose(const FrameWays& frame, const std::vector<WayName>& last) override {
-    const std::vector<foredraw_lod_way> ways = with_hysteresis(frame, last, options_.hysteresis);
-    const foredraw_lod_scene scene = frame.scene(ways);
-    std::vector<std::uint32_t> chosen(frame.seen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const WayName& before = last[frame.seen[i].object];
-      chosen[i] = before.level == not_seen ? 0 : way_of(frame, i, before);
-    }
-    memory_.resize(4 * chosen.size());
-    foredraw_lod_from_last(&scene, static_cast<std::uint64_t>(options_.budget), chosen.data(), memory_.data(), nullptr);
-    return chosen;
-  }
-
- private:
-  ChooserOptions options_;
-  std::vector<std::uint32_t> memory_;
 };
 
 /// With hysteresis a two-hundredth of the budget is left, and the last choice is drawn again while it fits and loses
@@ -121,8 +81,6 @@ std::unique_ptr<LevelChooser> level_chooser(Method method, const FrameScene& sce
     case Method::none: return std::make_unique<BySize>(scene, meshes, 0);
     case Method::by_size: return std::make_unique<BySize>(scene, meshes, options.pixels);
     case Method::fed_back: return std::make_unique<FedBack>(scene, meshes, options);
-    case Method::by_value: return std::make_unique<ByValue>(options);
-    case Method::incremental: return std::make_unique<Incremental>(options);
     case Method::budget: break;
   }
   return std::make_unique<Budget>(options);
@@ -133,4 +91,4 @@ std::uint32_t way_of(const FrameWays& frame, std::size_t seen, const WayName& na
   return static_cast<std::uint32_t>(std::find(begin, end, name) - begin);
 }
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

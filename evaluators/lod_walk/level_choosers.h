@@ -9,27 +9,22 @@
 #include <string_view>
 #include <vector>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 enum class Method : std::uint8_t {
-  none,         ///< full detail
-  by_size,      ///< the coarsest level whose triangles stay under a size on the screen
-  fed_back,     ///< the same with a size that follows the last frame's time
-  by_value,     ///< the paper's optimisation, all ways by benefit for cost
-  incremental,  ///< the paper's, from the last frame's choice on
-  budget,       ///< ours: hulls and a histogram of their slopes
+  none,      ///< full detail
+  by_size,   ///< the coarsest level whose triangles stay under a size on the screen
+  fed_back,  ///< the same with a size that follows the last frame's time
+  budget,    ///< ours: hulls and a histogram of their slopes
 };
 
-inline constexpr std::array all_methods = {Method::none,     Method::by_size,     Method::fed_back,
-                                           Method::by_value, Method::incremental, Method::budget};
+inline constexpr std::array all_methods = {Method::none, Method::by_size, Method::fed_back, Method::budget};
 
 constexpr std::string_view to_text(Method method) {
   switch (method) {
     case Method::none: return "none";
     case Method::by_size: return "static";
     case Method::fed_back: return "feedback";
-    case Method::by_value: return "value";
-    case Method::incremental: return "incremental";
     case Method::budget: break;
   }
   return "budget";
@@ -64,4 +59,4 @@ inline std::uint32_t level_by_size(const MeshWays& mesh, float pixels, double mo
                               static_cast<float>(most));
 }
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

@@ -11,11 +11,11 @@ namespace foredraw {
 
 namespace {
 
-using walking::FrameWays;
-using walking::LevelChooser;
-using walking::MeshWays;
-using walking::Method;
-using walking::WayName;
+using evaluators::lod_walk::FrameWays;
+using evaluators::lod_walk::LevelChooser;
+using evaluators::lod_walk::MeshWays;
+using evaluators::lod_walk::Method;
+using evaluators::lod_walk::WayName;
 
 constexpr double nanoseconds_a_millisecond = 1e6;
 
@@ -48,8 +48,9 @@ class Walker {
         options_(options),
         executor_(executor),
         cancel_(cancel),
-        meshes_(walking::mesh_ways(scene, frame_moment(scene, path.empty() ? 0 : path.front().seconds),
-                                   options.renderings || options.accuracy == walking::Accuracy::pictures, executor)),
+        meshes_(evaluators::lod_walk::mesh_ways(
+            scene, frame_moment(scene, path.empty() ? 0 : path.front().seconds),
+            options.renderings || options.accuracy == evaluators::lod_walk::Accuracy::pictures, executor)),
         places_(scene.objects().size(), glm::vec2(std::nanf(""))) {}
 
   std::optional<LodWalk> walk(const std::function<void(double)>& progress) {
@@ -74,7 +75,8 @@ class Walker {
   const MeshWays& mesh_of(const SeenObject& object) const { return meshes_[scene_.objects()[object.object].mesh]; }
 
   FrameWays ways_of(std::vector<SeenObject> seen, const std::vector<float>& speeds) const {
-    return walking::frame_ways(scene_, meshes_, std::move(seen), speeds, options_.costs, options_, options_.renderings);
+    return evaluators::lod_walk::frame_ways(scene_, meshes_, std::move(seen), speeds, options_.costs, options_,
+                                            options_.renderings);
   }
 
   std::vector<SeenObject> seen_in(const FrameMoment& moment, std::size_t frame) const {
@@ -96,13 +98,13 @@ class Walker {
         const MeshWays& mesh = mesh_of(ways.seen[i]);
         std::vector<double> of_level;
         for (std::uint32_t level = 0; level < mesh.levels.size(); ++level) {
-          const std::uint32_t way = walking::way_of(ways, i, {level, Rendering::full});
+          const std::uint32_t way = evaluators::lod_walk::way_of(ways, i, {level, Rendering::full});
           of_level.push_back(ways.ways[ways.first[i] + way].cost);
         }
         costs.of_frame[frame] += of_level.front();
         for (int size = 0; size < PathCosts::sizes; ++size) {
           costs.by_size[frame][static_cast<std::size_t>(size)] +=
-              of_level[walking::level_by_size(mesh, ways.seen[i].pixels, PathCosts::size_of(size))];
+              of_level[evaluators::lod_walk::level_by_size(mesh, ways.seen[i].pixels, PathCosts::size_of(size))];
         }
       }
     });
@@ -131,8 +133,9 @@ class Walker {
     walk_.replay_size = {std::max(1, size_.width / 4), std::max(1, size_.height / 4)};
     for (const Method method : options_.methods) {
       walk_.methods.push_back({method});
-      walking_.push_back({walking::level_chooser(method, scene_, meshes_, {budget_, walk_.pixels, options_.hysteresis}),
-                          std::vector<WayName>(scene_.objects().size(), {walking::not_seen, Rendering::full})});
+      walking_.push_back(
+          {evaluators::lod_walk::level_chooser(method, scene_, meshes_, {budget_, walk_.pixels, options_.hysteresis}),
+           std::vector<WayName>(scene_.objects().size(), {evaluators::lod_walk::not_seen, Rendering::full})});
     }
   }
 
@@ -194,20 +197,20 @@ class Walker {
     double cost = 0, benefit = 0;
     std::uint32_t switched = 0;
     std::uint64_t triangles = 0;
-    std::vector<WayName> now(walking.last.size(), {walking::not_seen, Rendering::full});
+    std::vector<WayName> now(walking.last.size(), {evaluators::lod_walk::not_seen, Rendering::full});
     std::vector<DrawnObject> drawn;
-    walking::SummedWork work(options_.costs);
+    evaluators::lod_walk::SummedWork work(options_.costs);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const std::uint32_t way = ways.first[i] + chosen[i], object = ways.seen[i].object;
       cost += ways.ways[way].cost;
       benefit += ways.ways[way].benefit;
       const WayName& before = walking.last[object];
-      switched += before.level != walking::not_seen && before != ways.names[way] ? 1 : 0;
+      switched += before.level != evaluators::lod_walk::not_seen && before != ways.names[way] ? 1 : 0;
       now[object] = ways.names[way];
       drawn.push_back({object, ways.names[way].level, ways.names[way].rendering});
       triangles += mesh_of(ways.seen[i]).triangles[ways.names[way].level];
-      work.add(
-          walking::work_of(mesh_of(ways.seen[i]), ways.names[way], ways.seen[i], scene_.objects()[object].is_posed));
+      work.add(evaluators::lod_walk::work_of(mesh_of(ways.seen[i]), ways.names[way], ways.seen[i],
+                                             scene_.objects()[object].is_posed));
     }
     walking.last = std::move(now);
     const double model = (cost + options_.costs.frame) / nanoseconds_a_millisecond;

@@ -21,8 +21,9 @@ namespace foredraw {
 /// Draws a frame, and gives the nanoseconds that it took.
 using FrameTimer = std::function<double(const FrameMoment&, const FrameCamera&, std::span<const DrawnObject>)>;
 
-struct LodWalkOptions : walking::BenefitOptions {
-  std::vector<walking::Method> methods{walking::all_methods.begin(), walking::all_methods.end()};
+struct LodWalkOptions : evaluators::lod_walk::BenefitOptions {
+  std::vector<evaluators::lod_walk::Method> methods{evaluators::lod_walk::all_methods.begin(),
+                                                    evaluators::lod_walk::all_methods.end()};
   RenderingCosts costs = example_costs();
   std::optional<double> budget;  ///< milliseconds a frame; none: a share of what full detail takes in the mean
   double share = 0.25;           ///< of that
@@ -39,7 +40,7 @@ struct LodWalkOptions : walking::BenefitOptions {
 
 /// What one method did, [frame].
 struct MethodWalk {
-  walking::Method method = walking::Method::budget;
+  evaluators::lod_walk::Method method = evaluators::lod_walk::Method::budget;
   std::vector<double> milliseconds;               ///< of the frame, by the model with noise or as it was drawn
   std::vector<FrameSample> samples;               ///< what was drawn, and its time, where there is a timer
   std::vector<double> model;                      ///< of the frame by the model

@@ -2,8 +2,8 @@
 #include "lod_walk.h"
 #include "walk_findings_plugin.h"
 
+#include <foredraw/measuring/frame_options.h>
 #include <foredraw/scene/levels.h>
-#include <foredraw/technique/frame_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -16,13 +16,13 @@ namespace foredraw {
 
 namespace {
 
-using walking::Accuracy;
-using walking::Method;
+using evaluators::lod_walk::Accuracy;
+using evaluators::lod_walk::Method;
 
 enum class FrameTimes { model, drawn, vulkan };
 
 struct WalkSettings : LodWalkOptions, FrameSet {
-  std::string methods_text = "none static feedback value incremental budget";
+  std::string methods_text = "none static feedback budget";
   std::string costs_file;
   FrameTimes times = FrameTimes::model;
 };
@@ -31,18 +31,15 @@ std::vector<Method> methods_in(const std::string& text) {
   std::vector<Method> methods;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const auto found = std::ranges::find(walking::all_methods, word, [](Method m) { return to_text(m); });
-    if (found == walking::all_methods.end()) {
+    const auto found = std::ranges::find(evaluators::lod_walk::all_methods, word, [](Method m) { return to_text(m); });
+    if (found == evaluators::lod_walk::all_methods.end()) {
       throw std::invalid_argument(
-          fmt::format("there is no method '{}'; expected none, static, feedback, value, "
-                      "incremental or budget, separated by spaces",
-                      word));
+          fmt::format("there is no method '{}'; expected none, static, feedback or budget, separated by spaces", word));
     }
     if (std::ranges::find(methods, *found) == methods.end()) methods.push_back(*found);
   }
   if (methods.empty())
-    throw std::invalid_argument(
-        "methods is empty; name at least one of none, static, feedback, value, incremental and budget");
+    throw std::invalid_argument("methods is empty; name at least one of none, static, feedback and budget");
   return methods;
 }
 
@@ -126,7 +123,7 @@ class LodWalkEvaluator final : public Evaluator {
       const std::vector<FrameSample> drawn = samples_of(*walk);
       if (round > 0 && fit_error(options.costs, drawn).mean < good) break;
       samples.insert(samples.end(), drawn.begin(), drawn.end());
-      const walking::WalkFit fit = walking::walk_fit(samples);
+      const evaluators::lod_walk::WalkFit fit = evaluators::lod_walk::walk_fit(samples);
       options.costs = fit_costs(samples, fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum);
       options.methods = {Method::budget};
     }
@@ -161,8 +158,8 @@ Plugin lod_walk_plugin() {
   OptionTable<WalkSettings> table;
   add_frame_rows(table);
   table.row(&WalkSettings::methods_text, "methods",
-            "Which methods walk: none, static, feedback, value, incremental and budget, separated by spaces; the "
-            "scene's own figures are those of the last one");
+            "Which methods walk: none, static, feedback and budget, separated by spaces; the scene's own figures are "
+            "those of the last one");
   table.number_or_text(
       &WalkSettings::costs_file, "costs",
       "File with what a triangle, a vertex and a pixel cost on the machine (default: an example's; where frames are "

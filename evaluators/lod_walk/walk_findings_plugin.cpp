@@ -56,7 +56,7 @@ void measure(const LodWalk& walk, const MethodWalk& method, const std::string& g
 
 /// How well the model would do with constants of this very walk.
 void foretell(const LodWalk& walk, const Run& run) {
-  const walking::WalkFit fit = walking::walk_fit(samples_of(walk));
+  const evaluators::lod_walk::WalkFit fit = evaluators::lod_walk::walk_fit(samples_of(walk));
   run.measure("fitted-error", 100 * std::min(fit.max.mean, fit.sum.mean), 1);
   run.note("fit",
            fmt::format("fitted to every second frame, the model predicts the others to {:.1f} % on average, {:.1f} % "

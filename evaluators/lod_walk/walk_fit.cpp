@@ -1,6 +1,6 @@
 #include "walk_fit.h"
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 void SummedWork::add(const ObjectWork& work) {
   const RenderingCost& cost = costs_.of(work.rendering);
@@ -32,4 +32,4 @@ WalkFit walk_fit(const std::vector<FrameSample>& samples) {
   return {fit_error(fit_costs(fitted, Stages::max), foretold), fit_error(fit_costs(fitted, Stages::sum), foretold)};
 }
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 /// Adds up what a frame draws: objects by one rendering and with the same slower stage are one.
 class SummedWork {
@@ -28,4 +28,4 @@ struct WalkFit {
 };
 WalkFit walk_fit(const std::vector<FrameSample>& samples);
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

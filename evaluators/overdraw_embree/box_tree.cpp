@@ -12,14 +12,14 @@ namespace foredraw {
 namespace {
 
 void set_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const Box& box = static_cast<const Box*>(arguments->geometryUserPtr)[arguments->primID];
+  const Box<glm::vec3>& box = static_cast<const Box<glm::vec3>*>(arguments->geometryUserPtr)[arguments->primID];
   RTCBounds& bounds = *arguments->bounds_o;
-  bounds.lower_x = box.least.x;
-  bounds.lower_y = box.least.y;
-  bounds.lower_z = box.least.z;
-  bounds.upper_x = box.most.x;
-  bounds.upper_y = box.most.y;
-  bounds.upper_z = box.most.z;
+  bounds.lower_x = box.min.x;
+  bounds.lower_y = box.min.y;
+  bounds.lower_z = box.min.z;
+  bounds.upper_x = box.max.x;
+  bounds.upper_y = box.max.y;
+  bounds.upper_z = box.max.z;
 }
 
 }  // namespace
@@ -46,13 +46,13 @@ struct EmbreeBoxTree::Tree {
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = nullptr;
 
-  explicit Tree(std::span<const Box> boxes) {
+  explicit Tree(std::span<const Box<glm::vec3>> boxes) {
     check();
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
-    rtcSetGeometryUserData(geometry, const_cast<Box*>(boxes.data()));  // read by set_bounds() alone
+    rtcSetGeometryUserData(geometry, const_cast<Box<glm::vec3>*>(boxes.data()));  // read by set_bounds() alone
     rtcSetGeometryBoundsFunction(geometry, set_bounds, nullptr);
     rtcSetGeometryOccludedFunction(geometry, Query::met);
     rtcCommitGeometry(geometry);
@@ -83,7 +83,7 @@ struct EmbreeBoxTree::Tree {
   }
 };
 
-EmbreeBoxTree::EmbreeBoxTree(std::span<const Box> boxes) : tree_(std::make_shared<const Tree>(boxes)) {}
+EmbreeBoxTree::EmbreeBoxTree(std::span<const Box<glm::vec3>> boxes) : tree_(std::make_shared<const Tree>(boxes)) {}
 
 void EmbreeBoxTree::trace(const Ray& ray, const Call& call) const {
   Query query{{}, call, {}};

@@ -1,6 +1,8 @@
 #pragma once
 // Which boxes does a ray meet? Embree's answer.
 
+#include <foredraw/geometry/box.h>
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -9,10 +11,6 @@
 #include <type_traits>
 
 namespace foredraw {
-
-struct Box {
-  glm::vec3 least, most;
-};
 
 struct Ray {
   glm::vec3 from;
@@ -25,7 +23,7 @@ class EmbreeBoxTree {
  public:
   /// O(n log n). Shared out over the threads of the Executor that this runs in, over all processors where there is
   /// none. Throws std::runtime_error where Embree refuses.
-  explicit EmbreeBoxTree(std::span<const Box> boxes);
+  explicit EmbreeBoxTree(std::span<const Box<glm::vec3>> boxes);
 
   /// Calls meet(i) once for each box that the ray meets, in any order. Embree computes in floats: where coordinates are
   /// c or less, a ray that passes within some c / 2^21 of a box's sides may be told of or not.

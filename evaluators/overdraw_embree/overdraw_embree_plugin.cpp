@@ -6,9 +6,10 @@ namespace foredraw {
 
 namespace {
 
-class OverdrawEmbree final : public OverdrawService {
+class OverdrawEmbreeService final : public OverdrawService {
  public:
-  OverdrawEmbree(Faces faces, const OverdrawEmbreeOptions& options) : OverdrawService(faces), options_(options) {}
+  OverdrawEmbreeService(Faces faces, const OverdrawEmbreeOptions& options)
+      : OverdrawService(faces), options_(options) {}
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) const override {
     return overdraw_embree(parts, views, options_, run.executor);
@@ -36,7 +37,7 @@ Plugin overdraw_embree_plugin() {
             {1, 1024, "rays"});
       },
       [](const Options& options) {
-        return std::make_unique<OverdrawEmbree>(
+        return std::make_unique<OverdrawEmbreeService>(
             options.faces, OverdrawEmbreeOptions{options.samples, static_cast<std::uint64_t>(options.ViewSet::seed)});
       });
 }

@@ -45,8 +45,8 @@ TracedParts::Surface joined(const std::vector<PreparedPart>& parts) {
   return surface;
 }
 
-std::vector<Box> boxes_around(const TracedParts::Surface& surface) {
-  std::vector<Box> boxes;
+std::vector<Box<glm::vec3>> boxes_around(const TracedParts::Surface& surface) {
+  std::vector<Box<glm::vec3>> boxes;
   boxes.reserve(surface.triangles.size());
   for (const TracedParts::Triangle& triangle : surface.triangles) {
     const glm::dvec3& a = surface.positions[triangle.corners[0]];

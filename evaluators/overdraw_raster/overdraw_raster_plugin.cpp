@@ -6,7 +6,7 @@ namespace foredraw {
 
 namespace {
 
-class OverdrawRaster final : public OverdrawService {
+class OverdrawRasterService final : public OverdrawService {
  public:
   using OverdrawService::OverdrawService;
 
@@ -31,7 +31,8 @@ Plugin overdraw_raster_plugin() {
           .summary = "Measures overdraw exactly, by drawing every subject from many sides on the processor",
           .reference = "Han, Sander 2016, section 1 (overdraw ratio); own",
       },
-      [](auto&) {}, [](const OverdrawOptions& options) { return std::make_unique<OverdrawRaster>(options.faces); });
+      [](auto&) {},
+      [](const OverdrawOptions& options) { return std::make_unique<OverdrawRasterService>(options.faces); });
   plugin.exact = true;
   return plugin;
 }

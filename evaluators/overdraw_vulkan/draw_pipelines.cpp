@@ -2,7 +2,6 @@
 
 #include <foredraw/gpu/pictures.h>
 
-#include "shaders/counted_frag.h"
 #include "shaders/draw_vert.h"
 #include "shaders/heavy_frag.h"
 #include "shaders/masked_frag.h"
@@ -22,26 +21,19 @@ DrawPipelines::DrawPipelines(const gpu::Device& device)
     : device_(device),
       render_pass_(make_render_pass(device)),
       set_layout_(storage_layout(device, 1, VK_SHADER_STAGE_FRAGMENT_BIT)),
-      sets_(device, set_layout_.get(), 1, 2),
-      counters_(sets_.add()),
+      sets_(device, set_layout_.get(), 1, 1),
       texels_(sets_.add()),
-      layout_(pipeline_layout(device, std::array{set_layout_.get(), set_layout_.get()},  // counters, texels
+      layout_(pipeline_layout(device, std::array{set_layout_.get()},
                               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, sizeof(DrawConstants))),
       vertex_shader_(make_shader(device, draw_vert)),
       masked_vertex_shader_(make_shader(device, masked_vert)),
       masked_fragment_shader_(make_shader(device, masked_frag)),
-      fragment_shaders_{make_shader(device, owner_frag), make_shader(device, counted_frag),
-                        make_shader(device, heavy_frag)} {}
+      fragment_shaders_{make_shader(device, owner_frag), make_shader(device, heavy_frag)} {}
 
 VkPipeline DrawPipelines::get(Shading shading, Passing passing, const UploadedParts::Part& part) {
   gpu::OwnedPipeline& pipeline = pipelines_[{shading, passing, part.culled, part.front_face, part.holes.has_value()}];
   if (pipeline.get() == VK_NULL_HANDLE) pipeline = make(shading, passing, part);
   return pipeline.get();
-}
-
-VkDescriptorSet DrawPipelines::counters_at(VkBuffer counters) {
-  sets_.write(counters_, {&counters, 1});
-  return counters_;
 }
 
 gpu::OwnedPipeline DrawPipelines::make(Shading shading, Passing passing, const UploadedParts::Part& part) const {

@@ -1,8 +1,9 @@
 #include "overdraw_vulkan.h"
 
-#include "fragment_counters.h"
 #include "view_batches.h"
 #include "vulkan_painter.h"
+
+#include <foredraw/gpu/queries.h>
 
 namespace foredraw {
 
@@ -13,20 +14,21 @@ namespace {
 /// the ties alone. The second time counts what is shaded, and leaves each pixel to the part that it shows.
 class BatchCount {
  public:
-  BatchCount(VulkanPainter& painter, const UploadedParts& parts, int size, CountMethod method)
+  BatchCount(VulkanPainter& painter, const UploadedParts& parts, int size)
       : painter_(painter),
         parts_(parts),
         pictures_(painter.pictures(size)),
         draws_(static_cast<std::uint32_t>(parts.drawn.size())),
         most_views_(views_in_batch(pictures_, parts, 2)),
-        counters_(painter.device(), painter.pipelines(), method, 2 * draws_ * most_views_) {}
+        counters_(painter.device(), VK_QUERY_TYPE_OCCLUSION, 2 * draws_ * most_views_) {}
 
   std::uint32_t most_views() const { return most_views_; }
 
   void count(std::span<const View> views, OverdrawCounts& counts) {
     painter_.device().run([&](VkCommandBuffer commands) { record(commands, views); });
     const auto view_count = static_cast<std::uint32_t>(views.size());
-    const std::vector<std::uint64_t> passed = counters_.read(2 * draws_ * view_count);
+    std::vector<std::uint64_t> passed(std::size_t{2} * draws_ * view_count);
+    for (std::uint32_t i = 0; i < passed.size(); ++i) counters_.read(i, std::span(passed).subspan(i, 1));
     for (std::uint32_t v = 0; v < view_count; ++v) {
       std::vector<OverdrawCount> of_view(counts.size());
       for (std::uint32_t i = 0; i < draws_; ++i) {
@@ -47,7 +49,7 @@ class BatchCount {
   }
 
   void record(VkCommandBuffer commands, std::span<const View> views) {
-    counters_.start(commands);
+    counters_.reset(commands);
     for (std::uint32_t v = 0; v < views.size(); ++v) {
       pictures_.begin(commands, v);
       draw(commands, views[v], Passing::nearer_or_equal, v);
@@ -56,18 +58,17 @@ class BatchCount {
       vkCmdEndRenderPass(commands);
     }
     pictures_.copy_out(commands, static_cast<std::uint32_t>(views.size()));
-    counters_.finish(commands);
   }
 
   void draw(VkCommandBuffer commands, const View& view, Passing passing, std::uint32_t v) {
     const std::uint32_t first = first_counter(v, passing);
-    painter_.draw(
-        commands, parts_, view,
-        {.shading = counters_.shading(),
-         .passing = passing,
-         .first_counter = first,
-         .before = [&](std::uint32_t i) { counters_.begin(commands, first + i, parts_.drawn[i].holes.has_value()); },
-         .after = [&](std::uint32_t i) { counters_.end(commands, first + i); }});
+    painter_.draw(commands, parts_, view,
+                  {.passing = passing,
+                   .before =
+                       [&](std::uint32_t i) {
+                         vkCmdBeginQuery(commands, counters_.get(), first + i, VK_QUERY_CONTROL_PRECISE_BIT);
+                       },
+                   .after = [&](std::uint32_t i) { vkCmdEndQuery(commands, counters_.get(), first + i); }});
   }
 
   VulkanPainter& painter_;
@@ -75,7 +76,7 @@ class BatchCount {
   const gpu::Pictures& pictures_;
   std::uint32_t draws_;
   std::uint32_t most_views_;
-  FragmentCounters counters_;
+  gpu::Queries counters_;
 };
 
 }  // namespace
@@ -87,13 +88,12 @@ const std::string& OverdrawDevice::name() const { return painter_->device().name
 bool OverdrawDevice::is_processor() const { return painter_->device().is_processor(); }
 int OverdrawDevice::depth_bits() const { return painter_->device().depth_format() == VK_FORMAT_D32_SFLOAT ? 32 : 24; }
 
-OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views,
-                               CountMethod method) {
+OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views) {
   OverdrawCounts counts(parts.size());
   VulkanPainter& painter = device.painter();
   const UploadedParts uploaded = painter.uploaded(parts);
   if (uploaded.drawn.empty()) return OverdrawCounts(parts.size(), std::vector<OverdrawCount>(views.views.size()));
-  BatchCount batch(painter, uploaded, views.size, method);
+  BatchCount batch(painter, uploaded, views.size);
   for_each_batch(views.views, batch.most_views(), [&](std::span<const View> some) { batch.count(some, counts); });
   return counts;
 }

@@ -17,9 +17,6 @@ namespace foredraw {
 
 class VulkanPainter;
 
-/// How the fragments that pass are counted: around each draw by the device, or one by one in the fragment shader.
-enum class CountMethod { queries, atomics };
-
 /// A Vulkan device with what drawing needs on it, kept from call to call. Used by one thread at a time.
 class OverdrawDevice {
  public:
@@ -38,14 +35,13 @@ class OverdrawDevice {
 
 /// Draws the parts one after the other from every view, one draw call a part, with depth test `less`, into pictures of
 /// views.size x views.size pixels that just hold the bounding sphere of all parts. Distance 0 (orthographic) or more
-/// than 1. Both methods count the same on one device; `atomics` up to 2^32 - 1 fragments of a part in a view.
+/// than 1.
 ///
 /// What is covered and how near it is are as the device rounds, which is not as overdraw_raster() does, and another
 /// device may count otherwise. A view's counts do not depend on the other views. Triangles with a position that is not
 /// finite are left out. How many fragments masks discard is not counted. Throws std::runtime_error where the device
 /// fails.
-OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views,
-                               CountMethod method = CountMethod::queries);
+OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views);
 
 /// How often the device runs the vertex shader for each part: what its own vertex cache leaves. Nothing where the
 /// device does not say.

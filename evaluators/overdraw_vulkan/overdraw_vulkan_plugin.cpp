@@ -15,17 +15,17 @@ namespace {
 
 struct OverdrawVulkanOptions : OverdrawOptions {
   std::optional<std::string> device;
-  CountMethod method = CountMethod::queries;
   bool times = false;
 };
 
-class OverdrawVulkan final : public OverdrawService {
+class OverdrawVulkanService final : public OverdrawService {
  public:
-  explicit OverdrawVulkan(const OverdrawVulkanOptions& options) : OverdrawService(options.faces), options_(options) {}
+  explicit OverdrawVulkanService(const OverdrawVulkanOptions& options)
+      : OverdrawService(options.faces), options_(options) {}
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
     const std::lock_guard lock(one_at_a_time_);
-    return overdraw_vulkan(device(), parts, views, options_.method);
+    return overdraw_vulkan(device(), parts, views);
   }
 
   /// Of the subjects at rest.
@@ -84,10 +84,6 @@ void add_rows(OptionTable<OverdrawVulkanOptions>& table) {
   table.row(
       &OverdrawVulkanOptions::device, "device",
       "Part of the name of the device to draw with; by default a hardware device, else one that runs on the processor");
-  table.choice(
-      &OverdrawVulkanOptions::method, "method",
-      "How fragments are counted: queries around each draw, or atomics in the shader, which are slower; both agree",
-      {{"queries", CountMethod::queries}, {"atomics", CountMethod::atomics}});
   table.row(&OverdrawVulkanOptions::times, "times",
             "Measure times too; they differ from run to run, as no other figure does");
 }
@@ -110,7 +106,7 @@ Plugin overdraw_vulkan_plugin() {
                    "Time on the device with an expensive fragment shader: 256 sines in a row"},
               },
       },
-      add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkan>(options); });
+      add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkanService>(options); });
   plugin.unavailable = [] { return gpu::why_no_device(); };
   plugin.device = [](const Settings& settings) {
     const auto device = settings.find("device");

@@ -1,6 +1,6 @@
 #include "uploaded_parts.h"
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/viewing/mask.h>
 
 #include <glm/common.hpp>

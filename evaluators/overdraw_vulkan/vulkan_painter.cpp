@@ -23,12 +23,11 @@ void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, c
   constants.clip_from_position = gpu::clip_from_position(view);
   if (parts.texels.get() != VK_NULL_HANDLE) {
     const VkDescriptorSet texels = pipelines_.texels();
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 1, 1, &texels, 0, nullptr);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, 1, &texels, 0, nullptr);
   }
   for (std::uint32_t i = 0; i < parts.drawn.size(); ++i) {
     const UploadedParts::Part& part = parts.drawn[i];
     constants.owner = part.number;
-    constants.counter = manner.first_counter + i;
     if (const auto& holes = part.holes) {
       constants.holes = holes->constants;
       const VkBuffer places = parts.places.get();

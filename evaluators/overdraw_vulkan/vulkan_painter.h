@@ -16,7 +16,6 @@ namespace foredraw {
 struct DrawManner {
   Shading shading = Shading::owner;
   Passing passing = Passing::nearer;
-  std::uint32_t first_counter = 0;  ///< that of the first draw; the others' follow
   std::function<void(std::uint32_t)> before = [](std::uint32_t) {};
   std::function<void(std::uint32_t)> after = [](std::uint32_t) {};
 };

@@ -1,7 +1,7 @@
 #include "scene_cost.h"
 
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/viewing/order_lookup.h>
 
 #include <glm/mat3x3.hpp>

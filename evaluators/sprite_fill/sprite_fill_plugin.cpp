@@ -1,7 +1,7 @@
 #include "sprite_fill.h"
 
 #include <foredraw/image/texture_uv.h>
-#include <foredraw/technique/alpha_options.h>
+#include <foredraw/measuring/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

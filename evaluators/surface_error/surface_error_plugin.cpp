@@ -1,5 +1,6 @@
 #include "surface_error.h"
 
+#include <foredraw/geometry/finite.h>
 #include <foredraw/technique/plugin.h>
 #include <foredraw/viewing/displaced_draw.h>
 
@@ -19,7 +20,7 @@ double diagonal_of(const Surface& surface) {
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const std::uint32_t v : surface.indices) {
     const glm::dvec3 p(surface.positions[v]);
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    if (!is_finite(p)) continue;
     low = glm::min(low, p);
     high = glm::max(high, p);
   }

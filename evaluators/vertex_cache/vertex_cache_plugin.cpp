@@ -30,9 +30,10 @@ std::vector<CacheModel> models_of(const std::string& names) {
   return models;
 }
 
-class VertexCache final : public DrawEvaluator {
+class VertexCacheEvaluator final : public DrawEvaluator {
  public:
-  explicit VertexCache(const VertexCacheOptions& options) : options_(options), models_(models_of(options.models)) {}
+  explicit VertexCacheEvaluator(const VertexCacheOptions& options)
+      : options_(options), models_(models_of(options.models)) {}
 
   void evaluate(const DrawView& draw, Run& run) const override {
     const std::vector<ServedOrder> orders = served_orders(draw.scene, draw.id);
@@ -104,7 +105,7 @@ Plugin vertex_cache_plugin() {
           },
   };
   bind_options(plugin, std::move(table),
-               [](const VertexCacheOptions& options) { return std::make_unique<VertexCache>(options); });
+               [](const VertexCacheOptions& options) { return std::make_unique<VertexCacheEvaluator>(options); });
   return plugin;
 }
 

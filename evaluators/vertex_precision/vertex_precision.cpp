@@ -1,5 +1,6 @@
 #include "vertex_precision.h"
 
+#include <foredraw/geometry/box.h>
 #include <foredraw/viewing/posed_positions.h>
 
 #include <glm/common.hpp>
@@ -14,18 +15,11 @@ namespace foredraw {
 
 namespace {
 
-struct Box {
-  glm::dvec3 least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
+using PositionBox = Box<glm::dvec3>;
 
-  void add(const Box& other) {
-    least = glm::min(least, other.least);
-    most = glm::max(most, other.most);
-  }
-  void add(const glm::dvec3& point) {
-    if (std::isfinite(glm::dot(point, point))) add({point, point});
-  }
-  double diagonal() const { return least.x <= most.x ? glm::length(most - least) : 0; }
-};
+void add_finite(PositionBox& box, const glm::dvec3& point) {
+  if (std::isfinite(glm::dot(point, point))) box.add(point);
+}
 
 /// What decides where positions lie: draws with equal ones share a box.
 bool same_lattice(const PackedLayout& a, const PackedLayout& b) {
@@ -37,11 +31,11 @@ bool same_lattice(const PackedLayout& a, const PackedLayout& b) {
 
 /// The draw's own box, and then that of all draws with its lattice.
 template <class LayoutOf>
-std::vector<double> diagonals(const std::vector<PackedVertices::OfDraw>& draws, const std::vector<Box>& boxes,
+std::vector<double> diagonals(const std::vector<PackedVertices::OfDraw>& draws, const std::vector<PositionBox>& boxes,
                               LayoutOf layout_of) {
   std::vector<double> result;
   for (const PackedVertices::OfDraw& draw : draws) {
-    Box box;
+    PositionBox box;
     for (std::size_t other = 0; other < draws.size(); ++other) {
       const PackedLayout *mine = layout_of(draw), *its = layout_of(draws[other]);
       if (mine != nullptr && its != nullptr && same_lattice(*mine, *its)) box.add(boxes[other]);
@@ -51,17 +45,17 @@ std::vector<double> diagonals(const std::vector<PackedVertices::OfDraw>& draws, 
   return result;
 }
 
-Box stored_box(const VertexStreams& vertices) {
-  Box box;
+PositionBox stored_box(const VertexStreams& vertices) {
+  PositionBox box;
   if (const VertexStream* positions = vertices.find("POSITION")) {
-    for (const glm::vec3& position : decode_vec3(*positions)) box.add(glm::dvec3(position));
+    for (const glm::vec3& position : decode_vec3(*positions)) add_finite(box, glm::dvec3(position));
   }
   return box;
 }
 
 struct InPose {
   PosedPrecision precision;
-  Box box;
+  PositionBox box;
 };
 
 /// Without what else a row holds.
@@ -77,7 +71,7 @@ void add(InPose& sum, const PackedLayout& layout, std::span<const glm::vec3> pos
     const bool is_outside = foredraw_packed_encode(&layout, &vertex, row) != 0;
     foredraw_packed_decode(&layout, row, &decoded);
     const glm::dvec3 is(decoded.position[0], decoded.position[1], decoded.position[2]);
-    sum.box.add(glm::dvec3(position));
+    add_finite(sum.box, glm::dvec3(position));
     sum.precision.outside += is_outside ? 1 : 0;
     sum.precision.vertices += 1;
     const double error = glm::length(is - glm::dvec3(position));
@@ -139,7 +133,7 @@ std::vector<DrawPrecision> vertex_precision(const Scene& scene, SubjectUnit unit
   if (packed == nullptr) return {};
   const std::vector<PackedVertices::OfDraw>& draws = packed->draws;
   std::vector<DrawPrecision> result(draws.size());
-  std::vector<Box> boxes(draws.size());
+  std::vector<PositionBox> boxes(draws.size());
   executor.for_each(draws.size(), [&](std::size_t d) {
     const VertexStreams& vertices = *scene.draws[draws[d].draw].full().vertices;
     const auto rows = draws[d].rows.front().view();

@@ -1,8 +1,8 @@
 #pragma once
 // How far packed vertices are from the plain streams beside them.
 
-#include <foredraw/analysis/packed_precision.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/subject.h>
 

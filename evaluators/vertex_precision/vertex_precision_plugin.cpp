@@ -1,7 +1,7 @@
 #include "vertex_precision.h"
 
+#include <foredraw/measuring/pose_options.h>
 #include <foredraw/technique/plugin.h>
-#include <foredraw/technique/pose_options.h>
 
 #include <stdexcept>
 
@@ -13,9 +13,9 @@ struct VertexPrecisionOptions : PoseSet {
   VertexPrecisionOptions() { poses = "all"; }
 };
 
-class VertexPrecision final : public Evaluator {
+class VertexPrecisionEvaluator final : public Evaluator {
  public:
-  explicit VertexPrecision(VertexPrecisionOptions options) : options_(std::move(options)) {
+  explicit VertexPrecisionEvaluator(VertexPrecisionOptions options) : options_(std::move(options)) {
     if (const auto mistake = mistake_in(options_)) throw std::invalid_argument(*mistake);
   }
 
@@ -92,8 +92,9 @@ Plugin vertex_precision_plugin() {
   };
   OptionTable<VertexPrecisionOptions> table;
   add_pose_rows(table);
-  bind_options(plugin, std::move(table),
-               [](const VertexPrecisionOptions& options) { return std::make_unique<VertexPrecision>(options); });
+  bind_options(plugin, std::move(table), [](const VertexPrecisionOptions& options) {
+    return std::make_unique<VertexPrecisionEvaluator>(options);
+  });
   return plugin;
 }
 

@@ -21,19 +21,25 @@ macro(foredraw_room name)
 endmacro()
 foredraw_room(base)
 foredraw_room(platform base)
-foredraw_room(scene base)
+foredraw_room(geometry)
+foredraw_room(scene base geometry)
+foredraw_room(shells scene)
+foredraw_room(packing scene)
+foredraw_room(instances scene)
+foredraw_room(wires scene)
 foredraw_room(analysis scene)
 foredraw_room(image analysis)
 foredraw_room(displaced image)
+foredraw_room(crowds displaced)
 foredraw_room(viewing displaced)
 foredraw_room(overdraw viewing)
 foredraw_room(gpu viewing)
-foredraw_room(frames overdraw)
+foredraw_room(frames overdraw wires)
 foredraw_room(frames_gpu frames gpu)
-foredraw_room(technique frames)
+foredraw_room(technique analysis)
 foredraw_room(draw_orders viewing)
 foredraw_room(collapses analysis)
-foredraw_room(measuring technique draw_orders collapses)
+foredraw_room(measuring technique frames draw_orders collapses instances crowds packing shells)
 foredraw_room(io_text platform scene)
 foredraw_room(io_reading scene)
 foredraw_room(io_image io_text analysis)
@@ -43,12 +49,16 @@ foredraw_room(io_mesh io_gltf)
 foredraw_room(io_sprite io_gltf)
 foredraw_room(io io_mesh io_sprite)
 foredraw_room(report measuring io_text)
-foredraw_room(report_page report io_image)
+foredraw_room(page report io_image)
 foredraw_room(pipeline report platform)
-foredraw_room(cache pipeline)
+foredraw_room(cache platform)
+foredraw_room(job pipeline io cache)
 foredraw_room(c)
-foredraw_room(modules technique platform c)
-foredraw_room(c_library modules io pipeline)
+foredraw_room(modules measuring platform c)
+foredraw_room(c_library modules job)
+
+# Folders of a room besides its own; they are parts of its library.
+set(foredraw_room_folders_io_gltf gate patch codecs layout)
 
 # Where one of these packages is missing, or what compiles shaders, the room and what links it are left out.
 set(foredraw_room_needs_gpu Vulkan)
@@ -114,30 +124,69 @@ if(FOREDRAW_SANITIZE)
   endif()
 endif()
 
-# ccache is told that it may keep what was compiled with precompiled headers. Where the whole build is one of few large
-# files, a test is, too: half of the time goes into headers. Files that call things as their neighbours do have the property
-# SKIP_UNITY_BUILD_INCLUSION.
-function(foredraw_compile_as_test name)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
-  target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support)
+# Builds that have to be quick are of few large files, and compile headers once for many of them:
+# foredraw_add_precompiled_headers(foredraw_headers <vector> ...) makes a target that is compiled as those are that call
+# foredraw_use_precompiled_headers(target foredraw_headers). `dev` does neither: an include that a file lacks shows there.
+function(foredraw_add_precompiled_headers name)
+  file(CONFIGURE OUTPUT ${name}.cpp CONTENT "")
+  add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+  foredraw_compile_with_sloppy_cache(${name})
+endfunction()
+
+function(foredraw_use_precompiled_headers name headers)
+  if(TARGET ${headers})
+    target_precompile_headers(${name} REUSE_FROM ${headers})
+    foredraw_compile_with_sloppy_cache(${name})
+  endif()
+endfunction()
+
+# ccache is told that it may keep what was compiled with precompiled headers.
+function(foredraw_compile_with_sloppy_cache name)
   if(CMAKE_CXX_COMPILER_LAUNCHER)
     set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER
       "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CMAKE_CXX_COMPILER_LAUNCHER}")
   endif()
 endfunction()
 
-# A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). Each case has
-# one of ctest's labels: "long" if the filter LONG of GoogleTest lets it through, which belongs to `make long-test`, not to
-# `make test`; else "device" or "slow" by the filters in tests/CMakeLists.txt; else the foredraw_label of the folder, or "quick".
+# Of our libraries: those that link fmt, whose definitions its header asks for, and the others.
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_UNITY_BUILD)
+  find_package(glm QUIET)
+  find_package(fmt QUIET)
+  if(glm_FOUND AND fmt_FOUND)
+    set(headers <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
+                <mutex> <numeric> <optional> <set> <span> <sstream> <string> <string_view> <tuple> <unordered_map> <utility> <variant>
+                <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/gtc/quaternion.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp>
+                <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp>)
+    foredraw_add_precompiled_headers(foredraw_headers ${headers})
+    foredraw_add_precompiled_headers(foredraw_headers_with_fmt ${headers} <fmt/format.h>)
+    target_link_libraries(foredraw_headers_with_fmt PRIVATE fmt::fmt)
+    foreach(target foredraw_headers foredraw_headers_with_fmt)
+      set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON)
+      target_compile_features(${target} PRIVATE cxx_std_20)
+      target_link_libraries(${target} PRIVATE foredraw_flags glm::glm)
+    endforeach()
+  endif()
+endif()
+
+function(foredraw_compile_as_test name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
+  foredraw_compile_quickly(${name})
+  target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support)
+  foredraw_compile_with_sloppy_cache(${name})
+endfunction()
+
+# A GoogleTest program and its tests: foredraw_add_test(tipsify SOURCES ... LINK ...). Each case has one of ctest's labels:
+# "long" if the filter LONG of GoogleTest selects it, which belongs to `make long-test`, not to `make test`; else "device" or
+# "slow" by the filters in tests/CMakeLists.txt; else the foredraw_label of the folder, or "quick". Quick cases take less than
+# the start of their program, so ctest runs them in four shards; the other cases are tests of their own, found when ctest
+# starts. The shards note their cases' seconds in the folder cases/ of the build.
 function(foredraw_add_test name)
-  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   foredraw_compile_as_test(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
-  if(TARGET foredraw_test_headers)
-    target_precompile_headers(${name} REUSE_FROM foredraw_test_headers)
-  endif()
+  foredraw_use_precompiled_headers(${name} foredraw_test_headers)
   # By the names that the suites give: printed parameters hold addresses, which differ from build to build.
   set(discover ${name} DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_PREFIX "${name}.")
   set(foredraw_long_cases "${ARG_LONG}")
@@ -145,8 +194,7 @@ function(foredraw_add_test name)
   foreach(label long device slow)
     set(cases "${foredraw_${label}_cases}")
     if(cases)
-      gtest_discover_tests(${discover} TEST_FILTER "${cases}${labelled}"
-                           PROPERTIES LABELS ${label} TIMEOUT 3600 ${ARG_PROPERTIES})
+      gtest_discover_tests(${discover} TEST_FILTER "${cases}${labelled}" PROPERTIES LABELS ${label} TIMEOUT 3600)
       if(labelled)
         string(APPEND labelled ":${cases}")
       else()
@@ -154,8 +202,15 @@ function(foredraw_add_test name)
       endif()
     endif()
   endforeach()
-  if(NOT foredraw_label)
-    set(foredraw_label quick)
+  if(foredraw_label AND NOT foredraw_label STREQUAL "quick")
+    gtest_discover_tests(${discover} TEST_FILTER "*${labelled}" PROPERTIES LABELS ${foredraw_label} TIMEOUT 600)
+    return()
   endif()
-  gtest_discover_tests(${discover} TEST_FILTER "*${labelled}" PROPERTIES LABELS ${foredraw_label} TIMEOUT 600 ${ARG_PROPERTIES})
+  foreach(shard RANGE 3)
+    set(test "${name}.quick_${shard}")
+    add_test(NAME ${test} COMMAND ${name} "--gtest_filter=*${labelled}" "--gtest_brief=1"
+                                  "--gtest_output=xml:${CMAKE_BINARY_DIR}/cases/${test}.xml")
+    set_tests_properties(${test} PROPERTIES LABELS quick TIMEOUT 600
+                         ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

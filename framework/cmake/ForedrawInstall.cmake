@@ -30,6 +30,9 @@ endfunction()
 # foredraw_add_interface(runtime): foredraw::runtime, which is headers alone, and what it links.
 function(foredraw_add_interface name)
   cmake_parse_arguments(ARG "" "" "LINK;REQUIRES" ${ARGN})
+  foreach(package IN LISTS ARG_REQUIRES)
+    find_package(${package} REQUIRED)
+  endforeach()
   add_library(foredraw_${name} INTERFACE)
   add_library(foredraw::${name} ALIAS foredraw_${name})
   set_target_properties(foredraw_${name} PROPERTIES EXPORT_NAME ${name} FOREDRAW_REQUIRES "${ARG_REQUIRES}"

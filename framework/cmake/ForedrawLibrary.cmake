@@ -8,6 +8,12 @@ add_library(foredraw_flags INTERFACE)
 target_compile_options(foredraw_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wno-missing-field-initializers
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # gcc 12 sees overlaps in std::string that are none
 
+# For code that runs once, or for a moment: most of its time is the compiler's. The preset clang optimises nothing, and clang takes
+# no precompiled header that was made with other optimisation.
+function(foredraw_compile_quickly name)
+  target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O1>)
+endfunction()
+
 # A static library of ours: foredraw_add_library(scene SOURCES ... LINK ... REQUIRES ...) makes foredraw::scene. Packages
 # are looked for here, where they are needed, and nowhere else.
 #   SOURCES      its .cpp files
@@ -15,8 +21,9 @@ target_compile_options(foredraw_flags INTERFACE -ffp-contract=off -Wall -Wextra 
 #   PRIVATE_LINK libraries that only its .cpp files use
 #   REQUIRES     packages of these libraries, with a version or without ("embree 3"): whoever links the result needs them too
 #   HEADER_ONLY  packages that are compiled in, and that nobody needs afterwards
+#   QUICK        it is compiled quickly
 function(foredraw_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK;REQUIRES;HEADER_ONLY" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "" "SOURCES;LINK;PRIVATE_LINK;REQUIRES;HEADER_ONLY" ${ARGN})
   foreach(package IN LISTS ARG_REQUIRES ARG_HEADER_ONLY)
     string(REPLACE " " ";" arguments "${package}")
     find_package(${arguments} REQUIRED)
@@ -36,6 +43,16 @@ function(foredraw_add_library name)
                         PRIVATE ${ARG_PRIVATE_LINK} ${compiled_in})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${foredraw_include_root}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/foredraw>)
+  if(ARG_QUICK)
+    foredraw_compile_quickly(foredraw_${name})
+  endif()
+  if(COMMAND foredraw_use_precompiled_headers)  # not outside of this tree
+    set(headers foredraw_headers)
+    if(fmt::fmt IN_LIST ARG_PRIVATE_LINK)
+      set(headers foredraw_headers_with_fmt)
+    endif()
+    foredraw_use_precompiled_headers(foredraw_${name} ${headers})
+  endif()
 endfunction()
 
 # JSON Schemas of extensions: those in the target's folder schemas/ become the header "schemas.h", whose function schemas()

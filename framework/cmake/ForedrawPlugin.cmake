@@ -96,7 +96,7 @@ function(_foredraw_add_plugin folder)
 
   foredraw_reaches(measuring "${FOREDRAW_FRAMEWORK}" dressed)
   if(dressed)
-    foredraw_add_library(${name}_plugin SOURCES ${dress} LINK foredraw::measuring foredraw::${name}
+    foredraw_add_library(${name}_plugin QUICK SOURCES ${dress} LINK foredraw::measuring foredraw::${name}
                          REQUIRES fmt PRIVATE_LINK fmt::fmt)
     foredraw_add_schemas(foredraw_${name}_plugin "${folder}")
     foredraw_install_component(${name}_plugin)
@@ -170,12 +170,13 @@ void @function@(Registry& registry) {
 
 }  // namespace foredraw
 ")
-  foredraw_add_library(${library} SOURCES "${generated}/${library}.cpp" LINK foredraw::technique ${targets} ${ARGN})
+  foredraw_add_library(${library} QUICK SOURCES "${generated}/${library}.cpp" LINK foredraw::technique ${targets} ${ARGN})
 endfunction()
 
-# Tests of the plugins that were added; called from tests/.
+# Tests of the plugins that were added, a program for each kind: processors_test. Called from tests/.
 function(foredraw_add_plugin_tests)
   get_property(tests GLOBAL PROPERTY FOREDRAW_PLUGIN_TESTS)
+  set(kinds "")
   foreach(entry IN LISTS tests)
     string(REPLACE "|" ";" entry "${entry}")
     list(GET entry 0 name)
@@ -188,8 +189,15 @@ function(foredraw_add_plugin_tests)
         list(FILTER more EXCLUDE REGEX "/${other}_([a-z0-9_]*_)?test\\.cpp$")
       endif()
     endforeach()
-    foredraw_add_test(${name}_test SOURCES "${source}" ${more} LINK foredraw::${name}_plugin
-                      meshoptimizer::meshoptimizer)
+    string(REGEX REPLACE ".*/([a-z_]+)/[a-z0-9_]+\\.cpp$" "\\1" kind "${source}")
+    string(REPLACE "clusterers" "orderers" kind "${kind}")  # which are few
+    list(APPEND kinds ${kind})
+    list(APPEND ${kind}_sources "${source}" ${more})
+    list(APPEND ${kind}_links foredraw::${name}_plugin)
+  endforeach()
+  list(REMOVE_DUPLICATES kinds)
+  foreach(kind IN LISTS kinds)
+    foredraw_add_test(${kind}_test SOURCES ${${kind}_sources} LINK ${${kind}_links} meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()
 

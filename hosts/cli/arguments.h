@@ -3,15 +3,24 @@
 
 #include "commands.h"
 
+#include <functional>
+#include <memory>
 #include <variant>
 
 namespace foredraw::cli {
 
-using Command = Exit (*)(const Arguments& arguments, const Registry& registry);
+/// Which modules are loaded for a command.
+enum class Modules {
+  none,   ///< it runs no techniques
+  named,  ///< those of its arguments
+  all,    ///< those of the environment, too
+};
 
 struct Asked {
-  Command command = nullptr;  ///< nullptr: for help or the version alone, which was printed
-  Arguments arguments;
+  std::shared_ptr<CommonArguments> arguments;  ///< nullptr: for help or the version alone, which was printed
+  std::function<Exit(const Registry&)> command;
+  Modules modules = Modules::all;
+  bool is_interruptible = false;  ///< it may take long and write: on Ctrl-C it ends in good order
 };
 
 /// Why the words ask for nothing, and what there is to ask for.

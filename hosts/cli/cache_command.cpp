@@ -9,7 +9,7 @@
 
 namespace foredraw::cli {
 
-Exit cache(const Arguments& arguments, const Registry&) {
+Exit cache(const CacheArguments& arguments, const Registry&) {
   Diagnostics diagnostics;
   const std::filesystem::path folder = arguments.inputs[0];
   std::error_code error;

@@ -21,7 +21,7 @@ std::string error_text(Stages stages, const FitError& error) {
 
 }  // namespace
 
-Exit calibrate(const Arguments& arguments, const Registry&) {
+Exit calibrate(const CalibrateArguments& arguments, const Registry&) {
   Diagnostics diagnostics;
   if (!have_folders({arguments.costs}, diagnostics)) return refuse_file(diagnostics);
   CalibrationOptions options;

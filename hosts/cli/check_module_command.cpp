@@ -87,7 +87,7 @@ std::vector<std::uint64_t> traces_of(const Result& result) {
 
 class ModuleCheck {
  public:
-  ModuleCheck(const Arguments& arguments, const Registry& registry)
+  ModuleCheck(const CheckModuleArguments& arguments, const Registry& registry)
       : registry_(registry), threads_(std::max(Executor(arguments.threads).threads(), 2)) {}
 
   bool has_failed() const { return has_failed_; }
@@ -101,12 +101,15 @@ class ModuleCheck {
  private:
   /// Nothing where it can not be planned.
   std::optional<Result> run(const Pipeline& pipeline, const Scene& scene, int threads, Diagnostics& diagnostics) const {
-    const auto plan = foredraw::plan(pipeline, registry_, scene, diagnostics);
-    if (!plan) return std::nullopt;
-    Analyses analyses;
     const Executor executor(threads);
-    return pipeline.stages.empty() ? foredraw::measure(*plan, scene, {executor, analyses})
-                                   : foredraw::optimize(*plan, scene, {executor, analyses});
+    const JobSetup setup{.registry = registry_, .executor = executor};
+    Job job(setup, pipeline.stages.empty() ? JobKind::measure : JobKind::optimize, "");
+    job.take({}, scene);
+    if (!job.plan(pipeline) || !job.run()) {
+      for (const Diagnostic& one : job.diagnostics().all()) diagnostics.add(one);
+      return std::nullopt;
+    }
+    return Result{std::move(job.scene()), std::move(job.report()), job.status() == JobStatus::in_part};
   }
 
   std::string failure(const std::string& what) {
@@ -198,7 +201,7 @@ class ModuleCheck {
 
 }  // namespace
 
-Exit check_module(const Arguments& arguments, const Registry& registry) {
+Exit check_module(const CheckModuleArguments& arguments, const Registry& registry) {
   ModuleCheck check(arguments, registry);
   std::string text;
   for (const Plugin* plugin : registry.all()) {

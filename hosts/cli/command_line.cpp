@@ -67,11 +67,11 @@ void tell_lack_of_memory(const OutOfMemory& lack, std::uint64_t limit) {
 }
 
 /// Those that the arguments and the environment name. One that can not be loaded is told, and the run goes on without.
-Exit load_modules(Command command, const Arguments& arguments, Registry& registry) {
-  if (command == inspect || command == calibrate) return done;  // which run no techniques
+Exit load_modules(Modules which, const CommonArguments& arguments, Registry& registry) {
+  if (which == Modules::none) return done;
   ModuleChoice choice;
   for (const std::string& module : arguments.modules) choice.places.emplace_back(module);
-  if (command != check_module) {
+  if (which == Modules::all) {
     for (auto& place : modules_of_environment()) choice.places.push_back(std::move(place));
   }
   if (choice.places.empty()) return done;
@@ -84,16 +84,10 @@ Exit load_modules(Command command, const Arguments& arguments, Registry& registr
   return diagnostics.has_errors() ? something_failed : done;
 }
 
-/// Those that may take long and write: on Ctrl-C they end in good order. All others just end.
-bool is_interruptible(Command command) {
-  return command == optimize || command == measure || command == compare || command == watch;
-}
-
-Exit run(Command command, Arguments arguments, const Registry& registry) {
+Exit run(const Asked& asked, const Registry& registry) {
+  CommonArguments& arguments = *asked.arguments;
   std::optional<Interruption> interruption;
-  if (is_interruptible(command)) {  // before there are threads
-    arguments.interruption = &interruption.emplace();
-  }
+  if (asked.is_interruptible) arguments.interruption = &interruption.emplace();  // before there are threads
   if (arguments.memory_limit != 0 && !limit_memory(arguments.memory_limit)) {
     fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
     return something_failed;
@@ -110,8 +104,8 @@ Exit run(Command command, Arguments arguments, const Registry& registry) {
     // Steps of their own say what they lacked it for.
     const Exit exit = with_memory(arguments.inputs.empty() ? "foredraw" : arguments.inputs[0], "begin", [&] {
       Registry known = registry;
-      const Exit loaded = load_modules(command, arguments, known);
-      return std::max(command(arguments, known), loaded);
+      const Exit loaded = load_modules(asked.modules, arguments, known);
+      return std::max(asked.command(known), loaded);
     });
     if (exit == interrupted) interruption->end_process();
     return exit;
@@ -131,7 +125,7 @@ int main(int argc, char** argv, const Registry& registry) {
       return users_mistake;
     }
     const Asked& what = std::get<Asked>(words);
-    return what.command == nullptr ? done : run(what.command, what.arguments, registry);
+    return what.arguments == nullptr ? done : run(what, registry);
   } catch (const std::exception& problem) {  // no memory, most likely
     fmt::print(stderr, "foredraw: error: {}\n", problem.what());
     return something_failed;

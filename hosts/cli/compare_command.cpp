@@ -3,11 +3,9 @@
 #include "file_runs.h"
 #include "text_outputs.h"
 
-#include <foredraw/report/page/page.h>
+#include <foredraw/page/page.h>
 
 #include <foredraw/io/file_lender.h>
-#include <foredraw/io/image/images.h>
-#include <foredraw/pipeline/contest.h>
 #include <foredraw/pipeline/sweep.h>
 #include <foredraw/report/bound.h>
 #include <foredraw/report/fronts.h>
@@ -39,16 +37,6 @@ std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>
   return files;
 }
 
-/// Pipelines to be compared, and how.
-struct Competition {
-  const std::atomic<bool>* cancel;
-  const std::vector<NamedPipeline>& pipelines;
-  const SceneInput& how;
-  const Lender& lender;
-  int rounds = 1;
-  const std::vector<std::pair<std::string, std::string>>& fronts;
-};
-
 /// What is there of a file afterwards.
 struct ComparedFile {
   Comparison comparison;
@@ -73,28 +61,21 @@ void tell_of(const Contest& made) {
 }
 
 /// All pipelines on one file; a file that can not be read has none. `worst` tells of what failed.
-ComparedFile compared(const std::string& input, const Competition& competition, const Registry& registry,
-                      const Executor& executor, Exit& worst) {
-  Diagnostics diagnostics;
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, competition.how); });
-  if (!file) {
-    worst = std::max(worst, refuse_file(diagnostics));
-    return {{{input, 0}, {}, competition.fronts, diagnostics.all()}, {}, {}};
+ComparedFile compared(const std::string& input, const JobSetup& setup, const std::vector<NamedPipeline>& pipelines,
+                      int rounds, Exit& worst) {
+  Job job(setup, JobKind::compare, input);
+  if (!with_memory(input, "read it", [&] { return job.read(); })) {
+    worst = std::max(worst, refuse_file(job.diagnostics()));
+    return {{{input, 0}, {}, {}, job.diagnostics().all()}, {}, {}};
   }
-  tell(diagnostics);
-  Analyses analyses(image_decoder(input, competition.how.root));
-  Contest made = with_memory(input, "work on it", [&] {
-    return contest({input, file->bytes, to_text(file->stamp)}, file->scene, competition.pipelines, registry,
-                   &competition.lender, competition.rounds, {executor, analyses, competition.cancel, progress_line()});
-  });
+  tell(job.diagnostics());
+  Contest made = with_memory(input, "work on it", [&] { return job.compare(pipelines, rounds); });
   end_progress();
-  if (competition.cancel != nullptr && *competition.cancel) return {};
-  made.comparison.fronts = competition.fronts;
-  made.comparison.diagnostics = diagnostics.all();
+  if (job.status() == JobStatus::cancelled) return {};
   tell_of(made);
   if (std::ranges::any_of(made.comparison.branches, &Branch::is_lost)) worst = std::max(worst, users_mistake);
   if (made.failed) worst = something_failed;
-  return {std::move(made.comparison), file->scene, std::move(made.scenes)};
+  return {std::move(made.comparison), std::move(job.scene()), std::move(made.scenes)};
 }
 
 /// What figures are held to.
@@ -103,7 +84,7 @@ struct Budget {
   std::optional<Baseline> stored;
 };
 
-std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipelines, Diagnostics& diagnostics) {
+std::optional<Budget> budget_of(const CompareArguments& arguments, std::size_t pipelines, Diagnostics& diagnostics) {
   Budget budget;
   bool needs_baseline = false;
   for (const std::string& text : arguments.fail_if) {
@@ -116,7 +97,7 @@ std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipeline
     diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, but there is none",
                       "give --baseline a stored report, or run two pipelines, of which the first is the baseline");
   }
-  budget.stored = baseline_of(arguments, diagnostics);
+  budget.stored = baseline_of(arguments.baseline, diagnostics);
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(budget));
 }
 
@@ -132,7 +113,7 @@ Exit judged(const Budget& budget, std::span<const Comparison> comparisons) {
 }
 
 /// What changed since the baseline, of the first pipeline.
-std::optional<Since> since_of(const Arguments& arguments, const Budget& budget,
+std::optional<Since> since_of(const CompareArguments& arguments, const Budget& budget,
                               std::span<const Comparison> comparisons) {
   if (!budget.stored) return std::nullopt;
   Since since(arguments.baseline, *budget.stored);
@@ -147,7 +128,7 @@ std::optional<Since> since_of(const Arguments& arguments, const Budget& budget,
 }
 
 /// Every pipeline that takes part: those of the arguments, at every value of the sweeps.
-std::optional<std::vector<NamedPipeline>> contestants(const Arguments& arguments, const Registry& registry,
+std::optional<std::vector<NamedPipeline>> contestants(const CompareArguments& arguments, const Registry& registry,
                                                       Diagnostics& diagnostics) {
   const std::vector<std::string> texts =
       arguments.pipelines.empty() ? std::vector<std::string>{"@default"} : arguments.pipelines;
@@ -162,7 +143,7 @@ std::optional<std::vector<NamedPipeline>> contestants(const Arguments& arguments
 
 using Fronts = std::vector<std::pair<std::string, std::string>>;
 
-std::optional<Fronts> fronts_in(const Arguments& arguments, Diagnostics& diagnostics) {
+std::optional<Fronts> fronts_in(const CompareArguments& arguments, Diagnostics& diagnostics) {
   Fronts fronts;
   for (const std::string& text : arguments.fronts) {
     if (auto front = parse_front(text, diagnostics)) fronts.push_back(std::move(*front));
@@ -209,7 +190,7 @@ Exit unknown_fronts(std::span<const Comparison> comparisons) {
 
 }  // namespace
 
-Exit compare(const Arguments& arguments, const Registry& registry) {
+Exit compare(const CompareArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipelines = contestants(arguments, registry, diagnostics);
   const auto fronts = fronts_in(arguments, diagnostics);
@@ -220,21 +201,23 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
   if (!budget || !have_sources(*fronts, *budget, *pipelines, diagnostics) ||
-      !have_files_of_their_own(arguments, {}, diagnostics)) {
+      !have_files_of_their_own(files_read(arguments, arguments), {}, arguments, diagnostics)) {
     return refuse(diagnostics);
   }
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
-  const SceneInput how = input_of(arguments, registry);
+  const SceneInput how = input_of({}, arguments, registry);
   const FileLender lender(how);
+  JobSetup setup = setup_of(arguments, registry, executor, lender, how);
+  setup.progress = progress_line();
   std::vector<Comparison> comparisons;
   std::vector<Display> displays;
   Exit worst = done;
   for (const std::string& input : *inputs) {
-    ComparedFile file = compared(input, {arguments.cancel(), *pipelines, how, lender, arguments.repeat, *fronts},
-                                 registry, executor, worst);
+    ComparedFile file = compared(input, setup, *pipelines, arguments.repeat, worst);
     if (arguments.is_cancelled()) return tell_interrupted("nothing was written");
+    file.comparison.fronts = *fronts;
     if (arguments.html.empty() || comparisons.size() >= most_displays) {
       for (Branch& branch : file.comparison.branches) leave_out_pictures(branch.report);
     }

@@ -1,31 +1,25 @@
 #pragma once
 // One scene file from reading to writing; folders of them, worked on at once.
 
-#include "outputs.h"
 #include "session.h"
 
+#include <foredraw/job/job.h>
 #include <foredraw/report/batch.h>
-
-#include <atomic>
 
 namespace foredraw::cli {
 
-class ResultCache;
-
 /// What every file of a run is worked on with.
 struct FileJob {
-  const Arguments& arguments;
   const Pipeline& pipeline;
-  const Registry& registry;
-  const Executor& executor;
-  const Lender& lender;
-  std::function<void(std::string_view, double)> progress = {};
-  bool keeps_scenes = false;  ///< for who writes several in one file
-  const ResultCache* cache = nullptr;
-  std::shared_ptr<FilesRead> lent = nullptr;               ///< what the lender has read; null: nobody asks what is read
+  JobSetup setup;
+  std::string folder = {};         ///< that the inputs lie in; empty: there is one input
+  std::string pipeline_name = {};  ///< for the page
+  TextArguments texts = {};        ///< of the one input
+  PictureArguments pictures = {};
+  bool keeps_scenes = false;                               ///< for who writes several in one file
   std::vector<std::filesystem::path> pipeline_files = {};  ///< that the pipeline is, and names
 
-  bool is_cancelled() const { return arguments.is_cancelled(); }  ///< nothing more is written then
+  bool is_cancelled() const { return setup.cancel != nullptr && *setup.cancel; }  ///< nothing more is written then
 };
 
 struct FileRun {
@@ -41,15 +35,11 @@ struct FileRun {
 };
 
 /// All outputs are written or none; there may be none.
-FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs);
-FileRun measure_file(const FileJob& job, const std::string& input);
-
-/// Writes the files of the outputs, and, where the input is one file, its report, rules and page: all of them or none.
-bool write_with_texts(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs,
-                      std::vector<std::vector<OutputFile>> files, const std::string& page, Diagnostics& diagnostics);
+FileRun optimize_file(const FileJob& with, const std::string& input, const std::vector<JobOutput>& outputs);
+FileRun measure_file(const FileJob& with, const std::string& input);
 
 /// What a build system has to know of the run.
-std::string rules_of(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs);
+std::string rules_of(const FileJob& with, const FileRun& run, const std::vector<JobOutput>& outputs);
 
 /// One file of several; whatever it throws is its own affair.
 FileRun guarded(const std::filesystem::path& input, const std::function<FileRun()>& run);
@@ -58,7 +48,7 @@ bool is_folder(const std::string& path);
 
 /// Every scene of the folder that is the input, file by file on all threads; one that is lost does not end the run.
 /// Tells what there is to tell in the sequence of the files, then prints the table, to standard error where `optimize`.
-Exit optimize_folder(const FileJob& job);
-Exit measure_folder(const FileJob& job);
+Exit optimize_folder(const FileJob& job, const OptimizeArguments& arguments);
+Exit measure_folder(const FileJob& job, const MeasureArguments& arguments);
 
 }  // namespace foredraw::cli

@@ -5,6 +5,8 @@
 #include <foredraw/io/scene_file.h>
 #include <foredraw/io/sprite/sprite_files.h>
 
+#include <fmt/format.h>
+
 #include <set>
 #include <unordered_map>
 
@@ -65,7 +67,7 @@ fs::path output_of(const fs::path& scene, const fs::path& folder) {
 FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRows& rows, Diagnostics& diagnostics) {
   FolderOutputs result;
   for (const std::string& word : words) {
-    const Output output = typed_output(word, rows);
+    const JobOutput output = typed_output(word, rows);
     if (!output.is_scene()) {
       diagnostics.error({.file = output.path}, "bad-arguments",
                         "holds the " + output.kind + " of one scene, but the input is a folder",
@@ -75,9 +77,9 @@ FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRow
     } else if (result.folder.empty()) {
       result.folder = output.path;
     } else {
-      diagnostics.error(
-          {.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
-          "give -o one folder, and as further outputs only files of sprites: " + sprite_output_extensions());
+      diagnostics.error({.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
+                        fmt::format("give -o one folder, and as further outputs only files of sprites: {}",
+                                    fmt::join(sprite_output_extensions(), ", ")));
     }
   }
   return result;

@@ -1,9 +1,8 @@
 #pragma once
 // Where the files of a folder go, and whether they leave each other alone there.
 
-#include "outputs.h"
-
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/job/outputs.h>
 
 #include <filesystem>
 #include <string>

@@ -2,6 +2,7 @@
 #include "folder_outputs.h"
 
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/job/pipelines.h>
 #include "scene_folder.h"
 
 #include <foredraw/base/counted.h>
@@ -26,13 +27,8 @@ bool gather(const std::vector<std::optional<Scene>>& kept, const std::vector<std
   for (const std::optional<Scene>& scene : kept) {
     if (scene && is_sprite_input(scene->name)) scenes.push_back(*scene);
   }
-  std::vector<OutputFile> files;
-  for (const std::string& target : gathered) {
-    auto file = encode_sprites(scenes, target, diagnostics);
-    if (!file) return false;
-    files.push_back(std::move(*file));
-  }
-  return write_files(files, diagnostics);
+  const auto files = encode_together(scenes, gathered, diagnostics);
+  return files && write_files(*files, diagnostics);
 }
 
 FileRun lost(const fs::path& input, const std::string& why, const std::string& hint) {
@@ -53,7 +49,7 @@ Exit run_batch(const FileJob& job, const std::vector<std::string>& inputs,
   std::mutex at_the_line;
   std::size_t finished = 0;
   std::atomic<Exit> worst = done;
-  job.executor.for_each(inputs.size(), [&](std::size_t i) {
+  job.setup.executor.for_each(inputs.size(), [&](std::size_t i) {
     FileRun run = guarded(inputs[i], [&] { return run_one(job, i); });
     if (run.exit == interrupted) {
       worst = interrupted;
@@ -109,11 +105,10 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, error);
 }
 
-Exit optimize_folder(const FileJob& job) {
-  const Arguments& arguments = job.arguments;
+Exit optimize_folder(const FileJob& job, const OptimizeArguments& arguments) {
   Diagnostics diagnostics;
   const fs::path from = arguments.inputs[0];
-  const FolderOutputs wanted = outputs_in(arguments.outputs, job.registry.products(), diagnostics);
+  const FolderOutputs wanted = outputs_in(arguments.outputs, job.setup.registry.products(), diagnostics);
   const fs::path to = wanted.folder;
   std::error_code error;
   if (to == "-" || (fs::exists(to, error) && !is_folder(wanted.folder))) {
@@ -128,8 +123,8 @@ Exit optimize_folder(const FileJob& job) {
     diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, but the input is a folder",
                       "use foredraw compare, which makes one page of several scenes");
   }
-  is_sound(job.pipeline, job.registry, job.lender, diagnostics);
-  const FolderScenes which = scenes_for(job.pipeline, job.registry);
+  is_sound(job.pipeline, job.setup.registry, *job.setup.lender, diagnostics);
+  const FolderScenes which = scenes_for(job.pipeline, job.setup.registry);
   const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, which, diagnostics);
   if (!scenes) return refuse(diagnostics);
   if (!wanted.gathered.empty() && std::ranges::none_of(*scenes, is_sprite_input)) {
@@ -148,7 +143,7 @@ Exit optimize_folder(const FileJob& job) {
   const auto written_of = wanted.folder.empty() ? std::vector<fs::path>() : *scenes;
   if (outputs_meet(written_of, from, wanted, diagnostics)) return refuse(diagnostics);
   std::vector<std::string> inputs;
-  std::vector<std::vector<Output>> outputs;
+  std::vector<std::vector<JobOutput>> outputs;
   fs::path made;
   for (const fs::path& scene : *scenes) {
     if (arguments.shard && !holds(*arguments.shard, scene)) continue;
@@ -166,14 +161,14 @@ Exit optimize_folder(const FileJob& job) {
   written.insert(written.end(), {arguments.report, arguments.depfile});
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
-  const auto baseline = baseline_of(arguments, diagnostics);
+  const auto baseline = baseline_of(arguments.baseline, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
   std::optional<Since> since;
   if (baseline) since.emplace(arguments.baseline, *baseline, arguments.shard.has_value());
 
   const Stopwatch watch;
   Spool spool(spool_folder(arguments.report));
-  Batch batch("optimize", job.registry, spool, [&](const StoredReport& report, Outcome outcome) {
+  Batch batch("optimize", job.setup.registry, spool, [&](const StoredReport& report, Outcome outcome) {
     tell_file(report, outcome);
     if (since) since->add(report, outcome);
   });
@@ -210,22 +205,22 @@ Exit optimize_folder(const FileJob& job) {
   return arguments.json ? std::max(worst, print_pieces(write)) : worst;
 }
 
-Exit measure_folder(const FileJob& job) {
+Exit measure_folder(const FileJob& job, const MeasureArguments& arguments) {
   Diagnostics diagnostics;
-  const fs::path from = job.arguments.inputs[0];
-  const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.registry), diagnostics);
+  const fs::path from = arguments.inputs[0];
+  const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.setup.registry), diagnostics);
   if (!scenes) return refuse(diagnostics);
   std::vector<std::string> inputs;
   for (const fs::path& scene : *scenes) inputs.push_back((from / scene).string());
   const Stopwatch watch;
   Spool spool;
-  Batch batch("measure", job.registry, spool, tell_file);
+  Batch batch("measure", job.setup.registry, spool, tell_file);
   const auto run_one = [&](const FileJob& each, std::size_t i) { return measure_file(each, inputs[i]); };
   const Exit worst = run_batch(job, inputs, run_one, batch);
   if (worst == interrupted) return interrupted;
   tell(diagnostics);  // of what was passed by
   const double seconds = watch.seconds();
-  if (!job.arguments.json) return std::max(worst, print(batch.to_text(seconds)));
+  if (!arguments.json) return std::max(worst, print(batch.to_text(seconds)));
   return std::max(worst, print_pieces([&](const OutputFile::Put& put) { batch.write_json(seconds, {}, put); }));
 }
 

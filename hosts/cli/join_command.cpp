@@ -10,16 +10,13 @@
 
 namespace foredraw::cli {
 
-Exit join_reports(const Arguments& arguments, const Registry& registry) {
+Exit join_reports(const JoinArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  Arguments written;  // it is a text as a report is, and may take no other's place
-  written.inputs = arguments.inputs;
-  written.report = arguments.outputs.empty() ? "" : arguments.outputs[0];
-  if (!have_files_of_their_own(written, {}, diagnostics)) return refuse(diagnostics);
-  if (!have_folders({written.report}, diagnostics)) return refuse_file(diagnostics);
-  const auto baseline = baseline_of(arguments, diagnostics);
+  if (!have_files_of_their_own(files_read(arguments), {}, arguments, diagnostics)) return refuse(diagnostics);
+  if (!have_folders({arguments.report}, diagnostics)) return refuse_file(diagnostics);
+  const auto baseline = baseline_of(arguments.baseline, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
-  Spool spool(spool_folder(written.report));
+  Spool spool(spool_folder(arguments.report));
   BatchJoin join(spool);
   for (const std::string& part : arguments.inputs) {
     const auto bytes = read_file(part, diagnostics);
@@ -40,8 +37,8 @@ Exit join_reports(const Arguments& arguments, const Registry& registry) {
   const auto write = [&](const OutputFile::Put& put) {
     batch.write_json(join.seconds(), std::nullopt, put, since ? since->to_json() : "");
   };
-  if (!written.report.empty()) {
-    const OutputFile report{written.report, {}, write};
+  if (!arguments.report.empty()) {
+    const OutputFile report{arguments.report, {}, write};
     Diagnostics writing;
     if (!write_files(std::span(&report, 1), writing)) return refuse_file(writing);
   }

@@ -1,13 +1,12 @@
 // The commands that read a scene and run a pipeline on it.
 
 #include "file_runs.h"
-#include "result_cache.h"
 #include "scene_folder.h"
 #include "text_outputs.h"
 
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/sprite/sprite_files.h>
-#include <foredraw/pipeline/canonical.h>
+#include <foredraw/job/pipelines.h>
 
 #include <fmt/format.h>
 
@@ -18,16 +17,17 @@ namespace foredraw::cli {
 namespace {
 
 /// Record and scene would stand in each other's way.
-bool outputs_clash(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics) {
+bool outputs_clash(const OptimizeArguments& arguments, const std::vector<JobOutput>& outputs,
+                   Diagnostics& diagnostics) {
   if (arguments.json && std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
-  return !have_files_of_their_own(arguments, outputs, diagnostics);
+  return !have_files_of_their_own(files_read(arguments, arguments), outputs, arguments, diagnostics);
 }
 
 /// Whether the options for many files and many runs can be used with the others.
-bool batch_options_fit(const Arguments& arguments, Diagnostics& diagnostics) {
+bool batch_options_fit(const OptimizeArguments& arguments, Diagnostics& diagnostics) {
   if (arguments.shard && !is_folder(arguments.inputs[0])) {
     diagnostics.error({.file = arguments.inputs[0]}, "bad-arguments", "is no folder, of which --shard takes a part",
                       "leave --shard out");
@@ -51,32 +51,32 @@ bool batch_options_fit(const Arguments& arguments, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Exit optimize(const Arguments& arguments, const Registry& registry) {
+Exit optimize(const OptimizeArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
-  const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
+  const std::vector<JobOutput> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
   if (!batch_options_fit(arguments, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  SceneInput how = input_of(arguments, registry);
+  SceneInput how = input_of(arguments, arguments, registry);
   if (!arguments.cache.empty() || !arguments.depfile.empty()) how.files = std::make_shared<FilesRead>();
   const FileLender lender(how);
-  FileJob job{arguments, *pipeline, registry, executor, lender};
-  job.lent = how.files;
+  FileJob job{*pipeline, setup_of(arguments, registry, executor, lender, how)};
+  job.setup.keeps_input = !arguments.heat_maps.empty() || !arguments.html.empty();
+  job.folder = is_folder(input) ? input : "";
+  job.pipeline_name = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
+  job.texts = arguments;
+  job.pictures = arguments;
   if (!arguments.depfile.empty()) job.pipeline_files = files_of(arguments, *pipeline, registry);
-  const auto cache =
-      arguments.cache.empty() ? nullptr : ResultCache::opened(arguments, *pipeline, registry, diagnostics);
+  const auto cache = cache_of(arguments.cache, input, *pipeline, registry, how, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
-  job.cache = cache.get();
-  if (is_folder(input)) return optimize_folder(job);
+  job.setup.cache = cache.get();
+  if (!job.folder.empty()) return optimize_folder(job, arguments);
   std::vector<std::string> written = {arguments.report, arguments.html, arguments.depfile};
-  for (const Output& output : outputs) {
-    if (output.is_scene()) can_write_scene(output.path, input, diagnostics);
-    written.push_back(output.path);
-  }
-  if (diagnostics.has_errors()) return refuse(diagnostics);
+  for (const JobOutput& output : outputs) written.push_back(output.path);
+  if (!can_write(outputs, input, diagnostics)) return refuse(diagnostics);
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
   if (is_sprite_input(input) && !works_on_sprites(*pipeline, registry)) {
     diagnostics.warning({.file = input}, "no-sprites",
@@ -84,7 +84,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
     tell(diagnostics);
   }
 
-  job.progress = progress_line();
+  job.setup.progress = progress_line();
   const FileRun run = optimize_file(job, input, outputs);
   end_progress();
   if (run.exit == interrupted) return tell_interrupted("nothing was written");
@@ -95,33 +95,37 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   return arguments.json ? std::max(run.exit, print(run.json.empty() ? to_json(run.report) : run.json)) : run.exit;
 }
 
-Exit plan(const Arguments& arguments, const Registry& registry) {
+Exit plan(const PlanArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::string& input = arguments.inputs[0];
-  const auto file =
-      with_memory(input, "read it", [&] { return read_scene(input, diagnostics, input_of(arguments, registry)); });
-  if (!file) return refuse_file(diagnostics);
-  const FileLender lender(input_of(arguments, registry));
-  const auto planned = with_memory(
-      input, "plan for it", [&] { return foredraw::plan(*pipeline, registry, file->scene, diagnostics, &lender); });
-  if (!planned) return refuse(diagnostics);
-  tell(diagnostics);
-  return print(arguments.json ? to_json(*planned, file->scene) : to_text(*planned, file->scene));
+  const Executor executor(arguments.threads);
+  const SceneInput how = input_of(arguments, arguments, registry);
+  const FileLender lender(how);
+  const JobSetup setup = setup_of(arguments, registry, executor, lender, how);
+  Job job(setup, JobKind::optimize, input);
+  if (!with_memory(input, "read it", [&] { return job.read(); })) return refuse_file(job.diagnostics());
+  if (!with_memory(input, "plan for it", [&] { return job.plan(*pipeline); })) return refuse(job.diagnostics());
+  tell(job.diagnostics());
+  return print(arguments.json ? to_json(job.plan(), job.scene()) : to_text(job.plan(), job.scene()));
 }
 
-Exit measure(const Arguments& arguments, const Registry& registry) {
+Exit measure(const MeasureArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipelines = pipelines_for(arguments, registry, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  const FileLender lender(input_of(arguments, registry));
+  const SceneInput how = input_of(arguments, arguments, registry);
+  const FileLender lender(how);
   const std::string& input = arguments.inputs[0];
-  FileJob job{arguments, pipelines->front().pipeline, registry, executor, lender};
-  if (is_folder(input)) return measure_folder(job);
+  FileJob job{pipelines->front().pipeline, setup_of(arguments, registry, executor, lender, how)};
+  job.setup.keeps_input = !arguments.heat_maps.empty();
+  job.folder = is_folder(input) ? input : "";
+  job.pictures = arguments;
+  if (!job.folder.empty()) return measure_folder(job, arguments);
 
-  job.progress = progress_line();
+  job.setup.progress = progress_line();
   const FileRun run = measure_file(job, input);
   end_progress();
   if (run.exit == interrupted) return tell_interrupted();

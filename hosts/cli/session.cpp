@@ -1,7 +1,7 @@
 #include "session.h"
 
+#include <foredraw/job/pipelines.h>
 #include <foredraw/pipeline/canonical.h>
-#include <foredraw/pipeline/contest.h>
 #include <foredraw/platform/terminal.h>
 
 #include <fmt/format.h>
@@ -59,33 +59,20 @@ std::filesystem::path spool_folder(const std::string& report) {
   return folder.empty() ? "." : folder;
 }
 
-SceneInput input_of(const Arguments& arguments, const Registry& registry) {
-  return {registry.products(), arguments.strict, arguments.root, Executor(arguments.threads)};
+SceneInput input_of(const ReadingArguments& reading, const CommonArguments& arguments, const Registry& registry) {
+  return {registry.products(), reading.strict, reading.root, Executor(arguments.threads)};
 }
 
-namespace {
-
-bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string& assignment,
-                        Diagnostics& diagnostics) {
-  Diagnostics nowhere;
-  bool found = false;
-  for (NamedPipeline& named : pipelines) {
-    Diagnostics here;
-    if (set_option(named.pipeline, assignment, here)) {
-      found = true;
-      continue;
-    }
-    const bool no_such_stage = here.all().front().code == "no-such-stage";
-    for (const Diagnostic& diagnostic : here.all()) (no_such_stage ? nowhere : diagnostics).add(diagnostic);
-    if (!no_such_stage) return false;
-  }
-  if (!found) diagnostics.add(nowhere.all().front());
-  return found;
+JobSetup setup_of(const CommonArguments& arguments, const Registry& registry, const Executor& executor,
+                  const Lender& lender, SceneInput how) {
+  return {.registry = registry,
+          .executor = executor,
+          .lender = &lender,
+          .input = std::move(how),
+          .cancel = arguments.cancel()};
 }
 
-}  // namespace
-
-std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
+std::optional<std::vector<NamedPipeline>> pipelines_for(const PipelineArguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics) {
   std::vector<NamedPipeline> pipelines;
@@ -93,18 +80,13 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
     auto branches = load_branches(text, diagnostics);
     if (branches) std::ranges::move(*branches, std::back_inserter(pipelines));
   }
-  auto measure = arguments.with.empty() ? std::optional<std::vector<Stage>>(std::in_place)
-                                        : parse_stages(arguments.with, "--with", diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  measure_alike(pipelines, std::move(*measure), registry);
-  bool good = true;
-  for (const std::string& assignment : arguments.set)
-    good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
-  judge_alike(pipelines, registry);
-  return good ? std::optional(std::move(pipelines)) : std::nullopt;
+  const PipelineChanges changes{arguments.with, arguments.set, arguments.written_as};
+  return change(pipelines, changes, registry, diagnostics) ? std::optional(std::move(pipelines)) : std::nullopt;
 }
 
-std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
+std::optional<Pipeline> one_pipeline(const PipelineArguments& arguments, const Registry& registry,
+                                     Diagnostics& diagnostics) {
   if (arguments.pipelines.size() > 1) {
     diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "use foredraw compare to run several");
     return std::nullopt;
@@ -113,7 +95,7 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry&
   return only_one(pipelines_for(arguments, registry, {text}, diagnostics), text, diagnostics);
 }
 
-std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+std::vector<std::filesystem::path> files_of(const PipelineArguments& arguments, const Pipeline& pipeline,
                                             const Registry& registry) {
   std::vector<std::filesystem::path> files = files_named_in(pipeline, registry);
   std::error_code error;
@@ -123,13 +105,14 @@ std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pi
   return files;
 }
 
-bool is_sound(const Pipeline& pipeline, const Registry& registry, const Lender& lender, Diagnostics& diagnostics) {
-  Diagnostics found;
-  if (plan(pipeline, registry, Scene(), found, &lender)) return true;
-  for (const Diagnostic& diagnostic : found.all()) {
-    if (diagnostic.severity == Severity::error) diagnostics.add(diagnostic);
-  }
-  return false;
+std::unique_ptr<ResultCache> cache_of(const std::string& folder, const std::string& input, const Pipeline& pipeline,
+                                      const Registry& registry, const SceneInput& how, Diagnostics& diagnostics) {
+  if (folder.empty()) return nullptr;
+  const auto told = [](const Diagnostics& wrong) {
+    end_progress();
+    tell(wrong);
+  };
+  return ResultCache::opened(folder, pipeline, registry, how, input, told, diagnostics);
 }
 
 std::function<void(std::string_view, double)> progress_line() {
@@ -152,11 +135,11 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return place(a) == place(b);
 }
 
-std::optional<Baseline> baseline_of(const Arguments& arguments, Diagnostics& diagnostics) {
-  const auto bytes = arguments.baseline.empty() ? std::nullopt : read_file(arguments.baseline, diagnostics);
+std::optional<Baseline> baseline_of(const std::string& file, Diagnostics& diagnostics) {
+  const auto bytes = file.empty() ? std::nullopt : read_file(file, diagnostics);
   if (!bytes) return std::nullopt;
   const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  return read_baseline(text, arguments.baseline, diagnostics);
+  return read_baseline(text, file, diagnostics);
 }
 
 std::string program_name() { return std::string("foredraw ") + FOREDRAW_VERSION; }
@@ -174,18 +157,6 @@ bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) 
                       "choose an output folder that you may write to");
   }
   return !error;
-}
-
-bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostics) {
-  std::error_code none;
-  for (const std::string& file : files) {
-    const auto folder = std::filesystem::path(file).parent_path();
-    if (folder.empty() || std::filesystem::is_directory(folder, none)) continue;
-    diagnostics.error({.file = file}, "no-such-folder",
-                      "cannot be written: there is no folder '" + folder.string() + "'",
-                      "create it, or name another folder");
-  }
-  return !diagnostics.has_errors();
 }
 
 }  // namespace foredraw::cli

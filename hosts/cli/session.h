@@ -3,9 +3,8 @@
 
 #include "commands.h"
 
-#include <foredraw/io/scene_file.h>
+#include <foredraw/job/job.h>
 #include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/report/baseline.h>
 
@@ -31,23 +30,18 @@ Exit print(const std::string& text);
 /// The same of one that is long, piece by piece.
 Exit print_pieces(const std::function<void(const OutputFile::Put&)>& write);
 
-/// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike:
-/// with what --with names, else as the first does, else with what shows the gains of their stages. An option is set
-/// wherever there is its stage; it is a mistake where there is none in any.
-std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
+/// The pipelines of the texts, of a file with several all of them, with what the arguments change of them (change()).
+std::optional<std::vector<NamedPipeline>> pipelines_for(const PipelineArguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics);
 
 /// The one that --pipeline names, or @default. Another one is a mistake, and so is one with branches.
-std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics);
+std::optional<Pipeline> one_pipeline(const PipelineArguments& arguments, const Registry& registry,
+                                     Diagnostics& diagnostics);
 
 /// The files that the pipeline is read from, and those that its options name.
-std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+std::vector<std::filesystem::path> files_of(const PipelineArguments& arguments, const Pipeline& pipeline,
                                             const Registry& registry);
-
-/// Whether the pipeline is without mistakes that it would have on every scene: said once, and before the first of many
-/// files. `lender` as of plan().
-bool is_sound(const Pipeline& pipeline, const Registry& registry, const Lender& lender, Diagnostics& diagnostics);
 
 /// What a step that lacks memory is left by; main() tells it in one line.
 struct OutOfMemory {
@@ -65,7 +59,15 @@ auto with_memory(const std::string& file, const char* doing, Step step) {
 }
 
 /// How the inputs of a command are read.
-SceneInput input_of(const Arguments& arguments, const Registry& registry);
+SceneInput input_of(const ReadingArguments& reading, const CommonArguments& arguments, const Registry& registry);
+
+/// What the jobs of a command have in common. `how`: as the lender reads.
+JobSetup setup_of(const CommonArguments& arguments, const Registry& registry, const Executor& executor,
+                  const Lender& lender, SceneInput how);
+
+/// The cache in the folder that --cache names; nullptr: none is named or, with errors, it cannot be one.
+std::unique_ptr<ResultCache> cache_of(const std::string& folder, const std::string& input, const Pipeline& pipeline,
+                                      const Registry& registry, const SceneInput& how, Diagnostics& diagnostics);
 
 /// Progress on a terminal, nothing elsewhere.
 std::function<void(std::string_view, double)> progress_line();
@@ -74,14 +76,11 @@ void end_progress();
 /// The folder, and those that it lies in, unless they are there.
 bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
 
-/// Whether the files can be put into their folders: who learns it after the work has lost it. Empty names are no files.
-bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostics);
-
 /// Whether two paths lead to the same place, there or not.
 bool is_same_file(const std::string& a, const std::string& b);
 
 /// What --baseline names. Nothing where it is not given, or, with an error, can not be read.
-std::optional<Baseline> baseline_of(const Arguments& arguments, Diagnostics& diagnostics);
+std::optional<Baseline> baseline_of(const std::string& file, Diagnostics& diagnostics);
 
 /// "foredraw 0.1.0".
 std::string program_name();

@@ -2,11 +2,12 @@
 // Files that changed, until they are left alone: programs write a file in several steps, and several files that belong
 // together one after the other.
 
+#include <foredraw/platform/file_facts.h>
+
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace foredraw::cli {
@@ -14,36 +15,39 @@ namespace foredraw::cli {
 class Settling {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Whether somebody has the file open to write; nothing: unknown.
-  using IsOpen = std::function<std::optional<bool>(const std::filesystem::path&)>;
+  /// Files by their paths.
+  using Seen = std::map<std::string, FileFacts>;
+  /// True if a program has the file open to write.
+  using IsOpen = std::function<bool(const std::string&)>;
 
-  /// Files have settled once nothing has changed for so long, or, where something always does, they themselves have not
-  /// while ten times as long went by.
-  explicit Settling(Clock::duration quiet) : quiet_(quiet) {}
+  /// Files have settled once nothing has changed for so long, or, if something always does, they themselves have not
+  /// while ten times as long went by. `seen`: the files at the beginning.
+  Settling(Clock::duration quiet, Seen seen) : quiet_(quiet), seen_(std::move(seen)) {}
 
-  /// `is_whole`: whoever wrote it has closed it, or it is gone.
-  void changed(const std::filesystem::path& file, bool is_whole, Clock::time_point now);
+  /// Takes the files as they are now. A file that came, went or has other facts than before has changed.
+  void look(Seen seen, Clock::time_point now);
 
-  /// Those that have settled and are whole, sorted; they are forgotten here. One that is still being written stays
-  /// until it is closed.
-  std::vector<std::filesystem::path> settled(Clock::time_point now, const IsOpen& is_open);
+  /// A file that is in `seen` from the next time on.
+  void add(const std::string& file, const FileFacts& facts) { seen_.try_emplace(file, facts); }
 
-  bool waits_for(const std::filesystem::path& file) const { return waiting_.contains(file); }
+  /// Those that have settled, sorted; they are forgotten here. One that a program still has open stays.
+  std::vector<std::string> settled(Clock::time_point now, const IsOpen& is_open);
 
-  /// When it is worth to ask again, unless something changes; nothing: not before.
-  std::optional<Clock::time_point> next(Clock::time_point now) const;
+  Clock::duration quiet() const { return quiet_; }
+  bool waits_for(const std::string& file) const { return waiting_.contains(file); }
 
  private:
   struct Waiting {
     Clock::time_point first, last;
-    bool is_whole = false;
   };
 
+  void changed(const std::string& file, Clock::time_point now);
   bool is_quiet(const Waiting& waiting, Clock::time_point now) const;
 
   Clock::duration quiet_;
   Clock::time_point last_;
-  std::map<std::filesystem::path, Waiting> waiting_;
+  Seen seen_;
+  std::map<std::string, Waiting> waiting_;
 };
 
 }  // namespace foredraw::cli

@@ -2,6 +2,7 @@
 
 #include "session.h"
 
+#include <foredraw/io/scene_file.h>
 #include <foredraw/pipeline/presets.h>
 #include <foredraw/pipeline/schema.h>
 #include <foredraw/report/inspection.h>
@@ -13,12 +14,12 @@
 
 namespace foredraw::cli {
 
-Exit inspect(const Arguments& arguments, const Registry& registry) {
+Exit inspect(const InspectArguments& arguments, const Registry& registry) {
   const ProductRows rows = registry.products();
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
-  const auto file =
-      with_memory(input, "read it", [&] { return read_scene(input, diagnostics, input_of(arguments, registry)); });
+  const auto file = with_memory(
+      input, "read it", [&] { return read_scene(input, diagnostics, input_of(arguments, arguments, registry)); });
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
@@ -29,7 +30,7 @@ Exit inspect(const Arguments& arguments, const Registry& registry) {
   }));
 }
 
-Exit list(const Arguments& arguments, const Registry& registry) {
+Exit list(const ListArguments& arguments, const Registry& registry) {
   std::optional<Kind> kind;
   for (Kind each : {Kind::orderer, Kind::clusterer, Kind::processor, Kind::evaluator}) {
     if (arguments.kind == to_text(each)) kind = each;
@@ -42,7 +43,7 @@ Exit list(const Arguments& arguments, const Registry& registry) {
   return print(arguments.json ? list_json(registry, kind) : list_text(registry, kind));
 }
 
-Exit show(const Arguments& arguments, const Registry& registry) {
+Exit show(const ShowArguments& arguments, const Registry& registry) {
   std::vector<std::string> names = registry.names();
   for (const Preset& preset : presets()) {
     names.push_back(fmt::format("@{}", preset.name));
@@ -58,20 +59,20 @@ Exit show(const Arguments& arguments, const Registry& registry) {
   return users_mistake;
 }
 
-Exit schema(const Arguments& arguments, const Registry& registry) {
-  if (arguments.name.empty()) return print(pipeline_schema(registry));
+Exit schema(const SchemaArguments& arguments, const Registry& registry) {
+  if (arguments.product.empty()) return print(pipeline_schema(registry));
   std::vector<std::string> names;
   for (const auto& row : registry.products()) {
     const ProductCard& card = row->card();
     names.push_back(card.name);
-    if (card.name != arguments.name) continue;
+    if (card.name != arguments.product) continue;
     std::vector<std::string> texts;
     for (const auto& [file, text] : card.schemas) texts.push_back(fmt::format("\"{}\": {}", file, text));
     return print(fmt::format("{{{}}}\n", fmt::join(texts, ", ")));
   }
-  const std::string_view near = nearest(arguments.name, names);
+  const std::string_view near = nearest(arguments.product, names);
   fmt::print(
-      stderr, "foredraw: error: there is no product '{}'\n    hint: {}\n", arguments.name,
+      stderr, "foredraw: error: there is no product '{}'\n    hint: {}\n", arguments.product,
       near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
   return users_mistake;
 }

@@ -28,9 +28,10 @@ bool is_among(const std::vector<std::string>& files, const std::string& file) {
 
 /// Whether no scene that is to be written takes a file of another, and no file of sprites one that is read: a picture
 /// of an image is not what the image is.
-void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& read, Diagnostics& diagnostics) {
+void check_outputs(const std::vector<JobOutput>& outputs, const std::vector<std::string>& read,
+                   Diagnostics& diagnostics) {
   std::vector<std::string> taken;
-  for (const Output& output : outputs) {
+  for (const JobOutput& output : outputs) {
     const bool is_standard = output.path == "-";
     std::vector<std::string> files;
     for (const auto& path : paths_written_for(output)) files.push_back(path.string());
@@ -52,17 +53,22 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
 
 }  // namespace
 
-bool have_files_of_their_own(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics) {
+std::vector<std::string> files_read(const CommonArguments& arguments, const PipelineArguments& pipelines) {
   std::vector<std::string> read = arguments.inputs;
-  read.insert(read.end(), arguments.pipelines.begin(), arguments.pipelines.end());
-  if (!arguments.baseline.empty()) read.push_back(arguments.baseline);
+  read.insert(read.end(), pipelines.pipelines.begin(), pipelines.pipelines.end());
+  return read;
+}
+
+bool have_files_of_their_own(std::vector<std::string> read, const std::vector<JobOutput>& outputs,
+                             const TextArguments& texts, Diagnostics& diagnostics) {
+  if (!texts.baseline.empty()) read.push_back(texts.baseline);
   check_outputs(outputs, read, diagnostics);
   std::vector<std::string> written;
-  for (const Output& output : outputs) written.push_back(output.path);
+  for (const JobOutput& output : outputs) written.push_back(output.path);
   const auto refuse = [&](const std::string& file, const char* why, const char* hint) {
     diagnostics.error({.file = file}, "bad-arguments", why, hint);
   };
-  for (const std::string& file : {arguments.report, arguments.csv, arguments.html, arguments.depfile}) {
+  for (const std::string& file : {texts.report, texts.csv, texts.html, texts.depfile}) {
     if (file.empty()) continue;
     if (file == "-") {
       refuse("", "--report, --csv, --html and --depfile take the name of a file",

@@ -2,8 +2,6 @@
 
 #include "watched_folder.h"
 
-#include <system_error>
-
 namespace foredraw::cli {
 
 namespace {
@@ -11,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folder that everything goes to; empty, with errors, where it can not be.
-std::string out_for(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
+std::string out_for(const WatchArguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
   const std::string& from = arguments.inputs[0];
   if (!is_folder(from)) {
     std::error_code error;
@@ -20,12 +18,12 @@ std::string out_for(const Arguments& arguments, const Registry& registry, Diagno
                       "name the folder that you work in");
     return {};
   }
-  const FolderOutputs outputs = outputs_in(arguments.outputs, registry.products(), diagnostics);
+  const FolderOutputs outputs = outputs_in({arguments.output}, registry.products(), diagnostics);
   if (diagnostics.has_errors()) return {};
   std::error_code error;
   if (!outputs.gathered.empty() || outputs.folder == "-" ||
       (fs::exists(outputs.folder, error) && !is_folder(outputs.folder))) {
-    diagnostics.error({.file = arguments.outputs[0]}, "bad-arguments", "is not a folder, which watch writes to",
+    diagnostics.error({.file = arguments.output}, "bad-arguments", "is not a folder, which watch writes to",
                       "give -o the name of a folder; it is created if it does not exist");
   } else if (fs::equivalent(from, outputs.folder, error)) {
     diagnostics.error({.file = outputs.folder}, "bad-arguments", "is the input folder itself",
@@ -38,20 +36,14 @@ std::string out_for(const Arguments& arguments, const Registry& registry, Diagno
 
 }  // namespace
 
-Exit watch(const Arguments& arguments, const Registry& registry) {
+Exit watch(const WatchArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string out = out_for(arguments, registry, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
   const Executor executor(arguments.threads);
   auto workshop = Workshop::opened(arguments, registry, executor, diagnostics);
   if (!workshop) return refuse(diagnostics);
-  try {
-    WatchedFolder folder(arguments, registry, out, std::move(workshop), executor);
-    return folder.keep_up();
-  } catch (const std::system_error& problem) {
-    tell_cannot_watch(arguments.inputs[0], problem.code().value(), diagnostics);
-    return refuse_file(diagnostics);
-  }
+  return WatchedFolder(arguments, registry, out, std::move(workshop), executor).keep_up();
 }
 
 }  // namespace foredraw::cli

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <thread>
 
 namespace foredraw::cli {
 
@@ -20,6 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t files_for_a_thread = 4;  ///< at once: whatever changes meanwhile waits for them
+constexpr int rest_for_a_poll = 20;            ///< so many times as long as looking at all files took, at least
+
+std::string one_name(const fs::path& path) {
+  std::error_code error;
+  std::string name = fs::absolute(path, error).lexically_normal().string();
+  while (name.size() > 1 && name.ends_with('/')) name.pop_back();
+  return name;
+}
 
 bool is_a_file(const std::string& path) {
   std::error_code error;
@@ -46,7 +55,7 @@ std::string gains_of(const StoredReport& report) {
 
 }  // namespace
 
-WatchedFolder::WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
+WatchedFolder::WatchedFolder(const WatchArguments& arguments, const Registry& registry, const std::string& out,
                              std::unique_ptr<Workshop> workshop, const Executor& executor)
     : arguments_(arguments),
       registry_(registry),
@@ -55,8 +64,8 @@ WatchedFolder::WatchedFolder(const Arguments& arguments, const Registry& registr
       from_(one_name(arguments.inputs[0])),
       out_(out),
       workshop_(std::move(workshop)),
-      folders_(from_, {out, arguments.cache}),
-      settling_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(arguments.settle))) {
+      settling_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(arguments.settle)),
+                seen().value_or(Settling::Seen())) {
   for (const fs::path& file : workshop_->job.pipeline_files) look_beside(one_name(file));
 }
 
@@ -73,18 +82,21 @@ void WatchedFolder::say(const std::string& line) const {
 Exit WatchedFolder::keep_up() {
   look_at_all();
   while (!interruption_.came()) {
-    wait();
-    if (folders_.is_over()) {
+    if (!is_folder(from_)) {
       Diagnostics diagnostics;
       diagnostics.error({.file = arguments_.inputs[0]}, "folder-gone", "was removed or renamed while it was watched",
                         "begin again with the folder that is there now");
       return refuse_file(diagnostics);
     }
-    take(settling_.settled(Clock::now(), is_open_for_writing));
+    if (Clock::now() >= next_poll_) poll();
     if (has_to_open_) open_again();
     const bool has_backlog = !backlog_.empty();
     const Due due = next_due();
-    if (!due.empty()) run(due);
+    if (due.empty()) {
+      rest();
+    } else {
+      run(due);
+    }
     if (has_backlog && backlog_.empty() && !interruption_.came()) {
       say(fmt::format("{} up to date; waiting for changes, until Ctrl-C", counted(backlog_size_, "file")));
     }
@@ -103,36 +115,51 @@ void WatchedFolder::look_at_all() {
   backlog_.clear();
   for (const fs::path& scene : scenes.value_or(std::vector<fs::path>())) backlog_.push_back(one_name(from_ / scene));
   backlog_size_ = backlog_.size();
-  const std::string folders = counted(folders_.folders(), "folder");
-  say(fmt::format("watching {}: {}, {}", arguments_.inputs[0], counted(backlog_size_, "file"), folders));
+  say(fmt::format("watching {}: {}", arguments_.inputs[0], counted(backlog_size_, "file")));
   if (backlog_.empty()) say("waiting for changes, until Ctrl-C");
 }
 
-/// Until something changed, or what changed has settled.
-void WatchedFolder::wait() {
-  using std::chrono::ceil, std::chrono::milliseconds;
-  const auto now = Clock::now();
-  std::optional<milliseconds> at_most;
-  if (const auto next = settling_.next(now)) at_most = ceil<milliseconds>(*next - now);
-  if (!backlog_.empty() || has_more_due_) at_most = milliseconds(0);
-  for (const auto& change : folders_.next(at_most, interruption_.descriptor())) note(change);
-  tell(folders_.problems());
+/// Looks at all files, and takes those that have changed and settled. Of many files it costs so much that it is done
+/// less often.
+void WatchedFolder::poll() {
+  const auto begin = Clock::now();
+  if (auto files = seen()) settling_.look(std::move(*files), begin);
+  take(settling_.settled(begin, [](const std::string& file) { return is_open_for_writing(file).value_or(false); }));
+  const auto end = Clock::now();
+  next_poll_ = end + std::max(settling_.quiet() / 2, rest_for_a_poll * (end - begin));
 }
 
-void WatchedFolder::note(const FolderWatch::Change& change) {
-  using What = FolderWatch::What;
-  const auto now = Clock::now();
-  if (change.what == What::missed) {
-    say("more changed than the system remembers: all files are looked at again");
-    look_at_all();
-    return;
+/// Until the next poll.
+void WatchedFolder::rest() const {
+  while (!interruption_.came() && Clock::now() < next_poll_) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+/// Every file that outputs may depend on. Nothing where a folder went away meanwhile.
+std::optional<Settling::Seen> WatchedFolder::seen() const {
+  Settling::Seen seen;
+  std::error_code error;
+  fs::recursive_directory_iterator at(from_, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    std::error_code gone;
+    if (at->is_directory(gone)) {
+      if (is_left_out(at->path())) at.disable_recursion_pending();
+    } else if (const auto facts = file_facts(at->path())) {
+      seen.emplace(at->path().string(), *facts);
+    }
   }
-  settling_.changed(change.path, change.what != What::begun, now);
-  if (change.what != What::gone) return;
-  for (const std::string& file : dependants_.below(change.path.string())) settling_.changed(file, true, now);
+  if (error) return std::nullopt;
+  for (const std::string& file : beside_) {
+    if (const auto facts = file_facts(file)) seen.emplace(file, *facts);
+  }
+  return seen;
 }
 
-void WatchedFolder::take(const std::vector<fs::path>& settled) {
+bool WatchedFolder::is_left_out(const fs::path& folder) const {
+  std::error_code error;
+  return fs::equivalent(folder, out_, error) || fs::equivalent(folder, arguments_.cache, error);
+}
+
+void WatchedFolder::take(const std::vector<std::string>& settled) {
   if (settled.empty()) return;
   const FolderScenes which = scenes_for(workshop_->pipeline, registry_);
   std::optional<std::vector<fs::path>> sprites;  // an image is a scene unless a list names it
@@ -145,18 +172,18 @@ void WatchedFolder::take(const std::vector<fs::path>& settled) {
     return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_))
                    : is_scene_of_folder(file, which);
   };
-  for (const fs::path& file : settled) {
-    if (!is_utf8(file.native())) {
+  for (const std::string& file : settled) {
+    if (!is_utf8(file)) {
       if (is_scene(file)) say(printable(name_of(file)) + ": is passed by: its name is not UTF-8");
       continue;
     }
     has_to_open_ = has_to_open_ || is_of_the_pipeline(file);
-    for (const std::string& scene : dependants_.of(file)) {
-      if (scene != file) due_.try_emplace(scene, fmt::format(" ({} changed)", name_of(file)));
+    for (const auto& [scene, files] : files_of_) {
+      if (files.contains(file)) due_.try_emplace(scene, fmt::format(" ({} changed)", name_of(file)));
     }
     if (is_scene(file)) {
       due_[file] = "";
-    } else if (dependants_.knows(file) && !is_a_file(file)) {
+    } else if (files_of_.contains(file) && !is_a_file(file)) {
       take_gone(file);
     }
   }
@@ -171,7 +198,7 @@ bool WatchedFolder::is_of_the_pipeline(const std::string& file) const {
 }
 
 void WatchedFolder::take_gone(const std::string& file) {
-  dependants_.forget(file);
+  files_of_.erase(file);
   std::erase_if(makers_, [&](const auto& made) { return made.second == file; });
   due_.erase(file);
   say(name_of(file) + ": is gone; its output stays");
@@ -197,13 +224,12 @@ WatchedFolder::Due WatchedFolder::next_due() {
   auto at = due_.begin();
   while (at != due_.end() && due.size() < most) {
     const auto is_waited_for = [&](const std::string& file) { return settling_.waits_for(file); };
+    const auto files = files_of_.find(at->first);
     const bool waits =
-        settling_.waits_for(at->first) ||
-        (dependants_.knows(at->first) && std::ranges::any_of(dependants_.files_of(at->first), is_waited_for));
+        is_waited_for(at->first) || (files != files_of_.end() && std::ranges::any_of(files->second, is_waited_for));
     if (!waits) due.insert(*at);
     at = waits ? std::next(at) : due_.erase(at);
   }
-  has_more_due_ = at != due_.end();
   if (!due.empty()) return due;
   for (; due.size() < most && !backlog_.empty(); backlog_.pop_front()) due.emplace(backlog_.front(), std::nullopt);
   return due;
@@ -277,20 +303,22 @@ void WatchedFolder::tell_run(const std::string& scene, const Reason& why, const 
 
 /// Files that lie elsewhere change, too.
 void WatchedFolder::look_beside(const std::string& file) {
-  if (looked_beside_.insert(fs::path(file).parent_path().string()).second) folders_.watch_beside(file);
+  if (file.starts_with(from_ + '/') || !beside_.insert(file).second) return;
+  if (const auto facts = file_facts(file)) settling_.add(file, *facts);
 }
 
 void WatchedFolder::remember(const std::string& scene, const FileRun& run) {
-  std::vector<std::string> files;
+  std::set<std::string>& files = files_of_[scene];
+  files.clear();
   const auto add = [&](const std::vector<fs::path>& some) {
     for (const fs::path& file : some) {
-      files.push_back(one_name(file));
-      look_beside(files.back());
+      const std::string name = one_name(file);
+      if (name != scene) files.insert(name);
+      look_beside(name);
     }
   };
   add(run.read);
   add(run.sought);
-  dependants_.set(scene, files);
 }
 
 }  // namespace foredraw::cli

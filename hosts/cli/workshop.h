@@ -12,7 +12,7 @@ namespace foredraw::cli {
 /// Made anew when a file changes that the pipeline is read from, or that it names.
 struct Workshop {
   /// Nothing, with errors, where the pipeline or the cache is not as it should be.
-  static std::unique_ptr<Workshop> opened(const Arguments& arguments, const Registry& registry,
+  static std::unique_ptr<Workshop> opened(const WatchArguments& arguments, const Registry& registry,
                                           const Executor& executor, Diagnostics& diagnostics);
   ~Workshop();
 
@@ -23,7 +23,7 @@ struct Workshop {
   FileJob job;
 
  private:
-  Workshop(const Arguments& arguments, const Registry& registry, const Executor& executor, Pipeline read,
+  Workshop(const WatchArguments& arguments, const Registry& registry, const Executor& executor, Pipeline read,
            SceneInput input);
 };
 

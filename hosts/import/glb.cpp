@@ -13,7 +13,6 @@ using Json = nlohmann::json;
 static_assert(std::endian::native == std::endian::little, "glTF's buffers are little endian");
 
 constexpr int unsigned_short = 5123, unsigned_int = 5125, single = 5126;
-constexpr int vertices = 34962, elements = 34963;
 
 void put_number(std::string& text, std::size_t number) {
   for (int shift = 0; shift < 32; shift += 8) text += static_cast<char>(number >> shift & 0xff);

@@ -11,6 +11,9 @@
 
 namespace foredraw::import {
 
+/// Targets of buffer views.
+inline constexpr int vertices = 34962, elements = 34963;
+
 class Glb {
  public:
   Glb();
@@ -20,7 +23,7 @@ class Glb {
   /// Appends an object to a list of the asset, and says its number.
   std::size_t add(const char* list, nlohmann::json object);
 
-  /// `target` as of a buffer view, 34962 or 34963; 0: none.
+  /// `target` is vertices, elements, or 0 for none.
   std::size_t add_view(std::span<const std::byte> bytes, int target = 0);
   /// Numbers of one component type, `width` to an element: "VEC3" of floats has 3. `with_bounds` gives min and max.
   std::size_t add_floats(const std::vector<float>& values, const char* type, std::size_t width, int target,

@@ -13,7 +13,6 @@ namespace foredraw::import {
 namespace {
 
 using Json = nlohmann::json;
-constexpr int vertices = 34962;
 
 std::vector<float> floats_of(const aiVector3D* from, const aiVector3D* minus, const aiMesh& mesh, const char* what) {
   std::vector<float> values;

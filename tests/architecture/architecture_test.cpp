@@ -6,15 +6,17 @@
 #include <set>
 
 #include "clock_rules.h"
+#include "family_rules.h"
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
+#include "room_rules.h"
 #include "shape_rules.h"
 #include "source_tree.h"
 #include "text_rules.h"
 #include "type_rules.h"
 
-namespace foredraw::architecture {
+namespace foredraw::architecture::architecture_test {
 namespace {
 
 const std::filesystem::path root = FOREDRAW_SOURCE_DIR;
@@ -53,9 +55,35 @@ TEST_F(Architecture, includes_point_leftwards) {
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 
+TEST_F(Architecture, hosts_work_by_jobs) {
+  Breaches breaches;
+  for (const TextFile& file : texts()) add(breaches, host_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
 TEST_F(Architecture, who_is_handed_rows_names_no_product) {
   Breaches breaches;
   for (const TextFile& file : texts()) add(breaches, product_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, families_are_named_at_home) {
+  const std::vector<Family> families = families_in(text_of(root / "tests/architecture/families.md"));
+  EXPECT_GT(families.size(), 5u);
+  const std::vector<TextFile> all = texts();
+  Breaches breaches;
+  for (const Family& family : families) {
+    std::vector<std::string> files;
+    for (const TextFile& file : all) {
+      if (names_from_elsewhere(family, file.path, file.text)) files.push_back(file.path);
+    }
+    add(breaches, family_breaches(family, files));
+  }
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, the_page_shows_the_rooms) {
+  const Breaches breaches = room_breaches(text_of(root / "docs/guides/concepts.md"), rooms());
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 
@@ -76,6 +104,20 @@ TEST_F(Architecture, plugins_have_a_function_for_c_or_a_reason) {
 TEST_F(Architecture, names_say_something) {
   Breaches breaches;
   for (const SourceFile& file : source_files(root)) add(breaches, name_breaches(file.path));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, plugins_carry_their_folders_name) {
+  Breaches breaches;
+  for (const TextFile& file : texts()) add(breaches, plugin_name_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, tests_have_the_namespaces_of_their_files) {
+  Breaches breaches;
+  std::map<std::string, std::string> files;
+  for (const TextFile& file : texts()) add(breaches, test_namespace_breaches(file.path, file.text, files));
+  EXPECT_GT(files.size(), 400u);
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 
@@ -118,4 +160,4 @@ TEST_F(Architecture, the_corpus_is_small_and_credited) {
 }
 
 }  // namespace
-}  // namespace foredraw::architecture
+}  // namespace foredraw::architecture::architecture_test

@@ -28,13 +28,15 @@ std::vector<Room> rooms_in(const std::string& cmake) {
 
 namespace {
 
-/// The room of a file below framework/foredraw, or of a header that is included: "io_gltf" of io/gltf/read.cpp.
+/// The room of a file below framework/foredraw, or of a header that is included: "io_gltf" of io/gltf/read.cpp and of
+/// io/gltf/gate/private/gate.h. A folder that is no room belongs to the one that it is in.
 std::string room_of(std::vector<std::string> place) {
-  place.pop_back();
-  if (!place.empty() && place.back() == "private") place.pop_back();
-  std::string room;
-  for (const std::string& part : place) room += (room.empty() ? "" : "_") + part;
-  return room;
+  for (place.pop_back(); !place.empty(); place.pop_back()) {
+    std::string name;
+    for (const std::string& part : place) name += (name.empty() ? "" : "_") + part;
+    if (place.size() == 1 || std::ranges::find(rooms(), name, &Room::name) != rooms().end()) return name;
+  }
+  return {};
 }
 
 /// Whether `from` links `to`, directly or not.
@@ -68,6 +70,9 @@ constexpr std::array<std::string_view, 4> packages_of_techniques = {"embree3/", 
 bool begins_with_one_of(std::span<const std::string_view> beginnings, std::string_view name) {
   return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return name.starts_with(b); });
 }
+
+/// Rooms of families that a technique may be made of, besides frames and what frames links.
+constexpr std::array<std::string_view, 5> rooms_of_families = {"collapses", "crowds", "instances", "packing", "shells"};
 
 struct Include {
   int line = 0;
@@ -148,10 +153,10 @@ std::string refused_in_plugin(const std::vector<std::string>& place, const Inclu
     return "plugins and evaluators include the framework up to measuring only";
   }
   const bool is_plain = file.find("_plugin.") == std::string::npos && file.find("_product") == std::string::npos;
-  const bool is_plain_room = room == "frames" || room == "collapses" || reaches("frames", room);
+  const bool is_plain_room = room == "frames" || is_one_of(rooms_of_families, room) || reaches("frames", room);
   if (is_plain && !is_plain_room) {
-    return "a technique's plain files include the standard library, GLM, their own folder and the framework up to "
-           "frames and collapses, and behind its header what they are made of; what dresses it goes to its "
+    return "a technique's plain files include the standard library, GLM, their own folder, the framework up to frames "
+           "and rooms of families, and behind its header what they are made of; what dresses it goes to its "
            "_plugin.cpp";
   }
   return "";
@@ -163,8 +168,10 @@ std::string refused(const std::vector<std::string>& place, const Include& includ
   if (include.is_posix() && room != "platform") return "POSIX calls live in platform/ alone";
   if (include.is_draco() && room != "io_gltf") return "Draco is used by io/gltf/ alone";
   if (include.is_vulkan() && room != "gpu") return "Vulkan is called through gpu/ alone";
-  if (include.is_private() && !(in_framework && place[2] == parts_of(include.target).at(1))) {
-    return "private/ is for its own room, and in io for the rooms of io";
+  const bool is_tree = include.target == "foredraw/io/text/private/json_tree.h";
+  if (include.is_private() && !(in_framework && place[2] == parts_of(include.target).at(1)) &&
+      !(is_tree && room.starts_with("report"))) {
+    return "private/ is for its own room, and in io for the rooms of io; the tree of JSON is for reports, too";
   }
   if (in_framework) {
     const bool is_public_header = place.back().ends_with(".h") && place[place.size() - 2] != "private";
@@ -184,6 +191,17 @@ Breaches include_breaches(const std::string& path, const std::string& text) {
     const std::string reason = refused(place, include);
     if (reason.empty()) continue;
     breaches.push_back(path + ':' + std::to_string(include.line) + ": includes " + include.target + ", but " + reason);
+  }
+  return breaches;
+}
+
+Breaches host_breaches(const std::string& path, const std::string& text) {
+  Breaches breaches;
+  if (!is_cpp(path) || !(path.starts_with("hosts/") || path.starts_with("framework/foredraw/c/"))) return breaches;
+  for (const char* call : {"foredraw::plan(", "foredraw::optimize(", "foredraw::measure(", "contest(", "encode_scene(",
+                           "encode_level(", "encode_gltf(", "encode_sprites(", "GltfOutput"}) {
+    if (text.find(call) == std::string::npos) continue;
+    breaches.push_back(path + ": has " + call + ", but hosts plan, run and encode by the room job");
   }
   return breaches;
 }

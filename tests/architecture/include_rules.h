@@ -20,10 +20,13 @@ const std::vector<Room>& rooms();                      ///< this tree's
 ///   io/gltf's and POSIX platform's.
 /// - Plugins and evaluators include the framework up to measuring, their own folder and packages. All of their files
 ///   but the _plugin and _product ones are plain: the standard library, GLM, their own folder, the framework up to
-///   frames, and, but for the header that bears the technique's name, the packages that techniques are made of. Where
-///   their CMakeLists.txt links gpu or frames_gpu, they include that too; the header that bears the name, gpu/choice.h
-///   alone.
+///   frames, rooms of families, and, but for the header that bears the technique's name, the packages that techniques
+///   are made of. Where their CMakeLists.txt links gpu or frames_gpu, they include that too; the header that bears the
+///   name, gpu/choice.h alone.
 /// Tests, benchmarks and documents may include what they like.
 Breaches include_breaches(const std::string& path, const std::string& text);
+
+/// Calls in hosts/ and the C library that plan, run or encode: they go through the room job.
+Breaches host_breaches(const std::string& path, const std::string& text);
 
 }  // namespace foredraw::architecture

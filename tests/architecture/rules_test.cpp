@@ -3,14 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "clock_rules.h"
+#include "family_rules.h"
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
+#include "room_rules.h"
 #include "shape_rules.h"
 #include "text_rules.h"
 #include "type_rules.h"
 
-namespace foredraw::architecture {
+namespace foredraw::architecture::rules_test {
 namespace {
 
 bool may_include(const std::string& path, const std::string& target) {
@@ -21,6 +23,8 @@ TEST(IncludeRules, rooms_include_what_they_link) {
   EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/base/random.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/scene/traits.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/io/mesh/read.cpp", "<foredraw/io/gltf/private/document.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/gate/gate.cpp", "<foredraw/io/text/private/json_tree.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/gate/gate.cpp", "<foredraw/io/mesh/mesh_files.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<foredraw/pipeline/plan.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<foredraw/technique/run.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/base/random.h", "<foredraw/scene/draw.h>"));
@@ -59,6 +63,15 @@ TEST(IncludeRules, framework_headers_show_glm_alone) {
   EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<draco/core/decoder_buffer.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/io/gltf/private/document.h", "<draco/core/decoder_buffer.h>"));
   EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<foredraw/io/gltf/private/document.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/report/private/json_values.h", "<foredraw/io/text/private/json_tree.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<foredraw/io/text/private/json_tree.h>"));
+}
+
+TEST(HostRules, hosts_do_not_plan_or_encode) {
+  EXPECT_EQ(host_breaches("hosts/cli/x.cpp", "auto plan = foredraw::plan(pipeline);").size(), 1u);
+  EXPECT_EQ(host_breaches("framework/foredraw/c/library/x.cpp", "GltfOutput as; encode_scene(scene);").size(), 2u);
+  EXPECT_TRUE(host_breaches("hosts/cli/x.cpp", "job.plan(pipeline) && job.run()").empty());
+  EXPECT_TRUE(host_breaches("framework/foredraw/job/job.cpp", "foredraw::plan(pipeline)").empty());
 }
 
 TEST(IncludeRules, runtime_is_c) {
@@ -132,7 +145,8 @@ TEST(IncludeRules, name_the_line) {
 }
 
 TEST(ProductRules, names_of_products_are_found_where_rows_are_handed_round) {
-  EXPECT_EQ(product_breaches("framework/foredraw/io/gltf/patch.cpp", "a\n\"FOREDRAW_merge_instances\"\n").size(), 1u);
+  EXPECT_EQ(product_breaches("framework/foredraw/io/gltf/patch/patch.cpp", "a\n\"FOREDRAW_merge_instances\"\n").size(),
+            1u);
   EXPECT_EQ(product_breaches("hosts/cli/outputs.cpp", "DrawOrders::product").size(), 1u);
   EXPECT_TRUE(product_breaches("framework/foredraw/pipeline/changed_tables.cpp", "DrawOrders::product").empty());
   EXPECT_TRUE(product_breaches("plugins/processors/merge_instances/x.cpp", "MergedDraws").empty());
@@ -189,6 +203,18 @@ TEST(NameRules, empty_names_are_refused) {
   }
 }
 
+TEST(NameRules, tests_without_a_namespace_of_their_own_are_found) {
+  std::map<std::string, std::string> files;
+  const std::string gltf = "tests/framework/io/gltf/levels_test.cpp",
+                    plugin = "tests/plugins/processors/levels_test.cpp";
+  EXPECT_EQ(test_namespace_breaches(plugin, "namespace foredraw {\nnamespace {\n", files).size(), 1u);
+  EXPECT_EQ(test_namespace_breaches(plugin, "namespace foredraw::quad_levels_test {\n", files).size(), 1u);
+  EXPECT_TRUE(test_namespace_breaches(plugin, "\nnamespace foredraw::levels_test {\n", files).empty());
+  EXPECT_EQ(test_namespace_breaches(gltf, "\nnamespace foredraw::levels_test {\n", files).size(), 1u);
+  EXPECT_TRUE(test_namespace_breaches(gltf, "\nnamespace foredraw::gltf_levels_test {\n", files).empty());
+  EXPECT_TRUE(test_namespace_breaches("tests/support/meshes.h", "namespace foredraw::testing {\n", files).empty());
+}
+
 TEST(NameRules, long_files_are_found) {
   const std::string text(301, '\n');
   EXPECT_EQ(length_breaches("a.cpp", text, 300).size(), 1u);
@@ -237,6 +263,70 @@ TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
             0u);
 }
 
+TEST(FamilyRules, the_table_says_what_names_a_family_and_where_its_home_is) {
+  const std::vector<Family> families = families_in(
+      "# Page\n\n| family | names | at home in | files elsewhere |\n|---|---|---|---:|\n"
+      "| second depth | second_depth seconddepth | plugins/processors/second_depth/ a/b/ | 12 |\n");
+  ASSERT_EQ(families.size(), 1u);
+  EXPECT_EQ(families[0].name, "second depth");
+  EXPECT_EQ(families[0].words, (std::vector<std::string>{"second_depth", "seconddepth"}));
+  EXPECT_EQ(families[0].homes, (std::vector<std::string>{"plugins/processors/second_depth/", "a/b/"}));
+  EXPECT_EQ(families[0].files_elsewhere, 12u);
+}
+
+TEST(FamilyRules, counts_sources_elsewhere) {
+  const Family wires{"wires", {"wire"}, {"framework/foredraw/wires/"}, 2};
+  EXPECT_TRUE(names_from_elsewhere(wires, "framework/foredraw/page/page.cpp", "struct ShownWires {};"));
+  EXPECT_TRUE(names_from_elsewhere(wires, "hosts/python/a.py", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "framework/foredraw/page/page.cpp", "struct Shown {};"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "framework/foredraw/wires/wires.cpp", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "framework/foredraw/runtime/wire_radius.h", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "tests/a.cpp", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "plugins/a/README.md", "wire"));
+
+  EXPECT_TRUE(family_breaches(wires, {"a", "b"}).empty());
+  EXPECT_EQ(family_breaches(wires, {"a"}).size(), 1u);
+  EXPECT_EQ(family_breaches(wires, {"a", "b", "c"}).size(), 1u);
+}
+
+TEST(NameRules, plugins_carry_their_folders_name) {
+  const std::string plugin = "plugins/orderers/dot_rule/dot_rule_plugin.cpp";
+  const auto number_of_breaches = [](const std::string& path, const std::string& line) {
+    return plugin_name_breaches(path, "#pragma once\n" + line + '\n').size();
+  };
+  for (const char* line : {"namespace foredraw {", "namespace {", "namespace foredraw::orderers::dot_rule {",
+                           "namespace orderers::dot_rule {", "namespace foredraw::orderers::dot_rule::HWY_NAMESPACE {",
+                           "class DotRuleOrderer final : public DrawOrderer {", "class Steps {"}) {
+    EXPECT_EQ(number_of_breaches(plugin, line), 0u) << line;
+  }
+  for (const char* line :
+       {"namespace foredraw::dots {", "namespace foredraw::dot_rule {", "namespace foredraw::processors::dot_rule {",
+        "class DotRule final : public DrawOrderer {", "class SortDots final : public Clusterer {"}) {
+    EXPECT_EQ(number_of_breaches(plugin, line), 1u) << line;
+  }
+  EXPECT_EQ(number_of_breaches("evaluators/lod_walk/walk.h", "namespace foredraw::evaluators::lod_walk {"), 0u);
+  EXPECT_EQ(number_of_breaches("evaluators/lod_walk/walk.h", "namespace foredraw::lod_walk {"), 1u);
+  EXPECT_EQ(number_of_breaches("framework/foredraw/io/gltf/gltf.h", "namespace foredraw::gltf {"), 0u);
+}
+
+TEST(RoomRules, the_picture_gives_floors_and_links) {
+  const std::vector<Room> rooms = {{"base", {}}, {"high", {"low", "base"}}, {"low", {"base"}}};
+  EXPECT_EQ(picture_of(rooms),
+            " 0  base\n"
+            " 1  low           base\n"
+            " 2  high          low base\n");
+}
+
+TEST(RoomRules, the_page_shows_each_room_once) {
+  const std::vector<Room> rooms = {{"base", {}}, {"low", {"base"}}};
+  const std::string picture = "# Page\n\n## Rooms\n\n```\n" + picture_of(rooms) + "```\n";
+  EXPECT_TRUE(room_breaches(picture + "| `base`, `low` | `no` room |\n| `runtime` | C |\n", rooms).empty());
+  EXPECT_EQ(room_breaches(picture + "| `base` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches(picture + "| `base`, `low` | it |\n| `low` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches(picture + "| `base`, `low`, `attic` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches("\n## Rooms\n\n```\n 0  base\n```\n| `base`, `low` | it |\n", rooms).size(), 1u);
+}
+
 TEST(TypeRules, TypesOfOneNameAreTold) {
   TypeFiles types;
   add_types("a.h", "namespace x {\n\nstruct Same {\n};\nclass Own final : public Base {\n};\n\n}  // namespace x\n",
@@ -251,4 +341,4 @@ TEST(TypeRules, TypesOfOneNameAreTold) {
 }
 
 }  // namespace
-}  // namespace foredraw::architecture
+}  // namespace foredraw::architecture::rules_test

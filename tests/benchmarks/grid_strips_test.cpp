@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw::bench {
+namespace foredraw::bench::grid_strips_test {
 namespace {
 
 double acmr(std::uint32_t columns, std::uint32_t rows, StripWidth width, std::uint32_t cache_size) {
@@ -64,4 +64,4 @@ TEST(GridStrips, primed_ones_can_be_no_wider) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::grid_strips_test

@@ -8,8 +8,8 @@
 #include "support/meshes.h"
 #include "support/products.h"
 
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/scene/merged_instances.h>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace foredraw::bench {
+namespace foredraw::bench::kit_instances_test {
 namespace {
 
 Scene through_file(const Scene& scene) {
@@ -122,7 +122,8 @@ Scene merged_half(const Scene& plain, bool even) {
   const MergedScene sets = merge_scene(plain, draws, {}, Executor(2));
   for (const MergedSet& set : sets.merged) {
     testing::edit<MergedDraws>(scene)->sets.push_back(merged_instances(plain, set));
-    for (const merging::MergeableMesh& mesh : set.set.meshes) scene.draws[mesh.draw].traits.add(traits::extended);
+    for (const processors::merge_instances::MergeableMesh& mesh : set.set.meshes)
+      scene.draws[mesh.draw].traits.add(traits::extended);
   }
   return scene;
 }
@@ -171,4 +172,4 @@ TEST(KitInstances, what_is_instanced_is_merged_where_that_saves_more) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::kit_instances_test

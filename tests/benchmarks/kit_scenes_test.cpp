@@ -13,7 +13,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace foredraw::bench {
+namespace foredraw::bench::kit_scenes_test {
 namespace {
 
 Kit city_kit() { return read_kit(testing::project_file("benchmarks/corpus/scenes/kaykit_city")); }
@@ -129,4 +129,4 @@ TEST(KitScenes, gpu_instancing_shows_the_same_by_one_node_for_each_mesh) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::kit_scenes_test

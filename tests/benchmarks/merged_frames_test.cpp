@@ -21,7 +21,7 @@
 #include <numeric>
 #include <set>
 
-namespace foredraw::bench {
+namespace foredraw::bench::merged_frames_test {
 namespace {
 
 constexpr int size = 512;
@@ -193,7 +193,7 @@ TEST_F(MergedFrames, space_shows_the_same) {
 }
 
 TEST_F(MergedFrames, instances_may_have_their_own_materials) {
-  const Scene scene = merged(space(800, 0.3), {{}, merging::SharedMaterials::kind});
+  const Scene scene = merged(space(800, 0.3), {{}, processors::merge_instances::SharedMaterials::kind});
   ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_FALSE(merged_sets(scene)[0].materials.empty());
   expect_merged_shows_the_same(scene, overviews(scene));
@@ -220,7 +220,7 @@ TEST_F(MergedFrames, a_wrong_transform_shows) {
 }
 
 TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
-  const Scene scene = merged(space(300, 0.3, 0.5f), {{}, merging::SharedMaterials::kind});
+  const Scene scene = merged(space(300, 0.3, 0.5f), {{}, processors::merge_instances::SharedMaterials::kind});
   const glm::mat4 view = overviews(scene)[0];
   const auto before = pixels(scene, frame_content(scene, DrawWay::merged), view);
   const auto shows = [&](const auto& break_one) {
@@ -265,4 +265,4 @@ TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::merged_frames_test

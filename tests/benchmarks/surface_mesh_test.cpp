@@ -14,7 +14,7 @@
 #include <cmath>
 #include <map>
 
-namespace foredraw::bench {
+namespace foredraw::bench::surface_mesh_test {
 namespace {
 
 using Place = std::array<float, 3>;
@@ -143,4 +143,4 @@ TEST(Clip, speaks_for_times_between_its_keys) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::surface_mesh_test

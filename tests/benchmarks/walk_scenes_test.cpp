@@ -17,7 +17,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace foredraw::bench {
+namespace foredraw::bench::walk_scenes_test {
 namespace {
 
 using MakeScene = Scene (*)(const WalkOptions&);
@@ -351,4 +351,4 @@ TEST(WalkScenes, gpu_instancing_places_the_same_and_leaves_the_camera) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::walk_scenes_test

@@ -16,7 +16,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::attributes_test {
 namespace {
 
 using testing::BumpySheet;
@@ -232,4 +232,4 @@ TEST_F(LevelAttributes, AreThoseOfOneOfBothWherePointsStay) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::attributes_test

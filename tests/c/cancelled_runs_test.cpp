@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace foredraw::testing {
+namespace foredraw::testing::cancelled_runs_test {
 namespace {
 
 const std::string source = FOREDRAW_SOURCE_DIR;
@@ -76,4 +76,4 @@ INSTANTIATE_TEST_SUITE_P(Presets, CancelledRuns, ::testing::ValuesIn(presets()),
 });
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::cancelled_runs_test

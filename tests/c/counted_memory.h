@@ -1,6 +1,6 @@
 #pragma once
-// Memory that runs out when it is told to, for a program that is one source file: operators new and delete are its own,
-// and those of the libraries that it links.
+// Memory that runs out when it is told to, for a program that has counted_memory.cpp among its sources: operators new
+// and delete are its own, and those of the libraries that it links.
 
 #include <cstdlib>
 #include <new>
@@ -32,16 +32,3 @@ inline void release(void* memory) noexcept {
 }
 
 }  // namespace foredraw::testing
-
-void* operator new(std::size_t size) { return foredraw::testing::allocate(size); }
-void* operator new[](std::size_t size) { return foredraw::testing::allocate(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return foredraw::testing::allocate_or_not(size);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-  return foredraw::testing::allocate_or_not(size);
-}
-void operator delete(void* memory) noexcept { foredraw::testing::release(memory); }
-void operator delete[](void* memory) noexcept { foredraw::testing::release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { foredraw::testing::release(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { foredraw::testing::release(memory); }

@@ -11,7 +11,7 @@
 #include <map>
 #include <set>
 
-namespace foredraw::testing {
+namespace foredraw::testing::every_technique_test {
 namespace {
 
 class EveryTechnique : public InFolder {
@@ -123,4 +123,4 @@ TEST_F(EveryTechnique, MeasuresWithOtherLibrariesAsInTheProgramLong) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::every_technique_test

@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-namespace foredraw::testing {
+namespace foredraw::testing::exports_test {
 namespace {
 
 class FunctionsLibrary : public InFolder {
@@ -64,4 +64,4 @@ TEST_F(WholeLibrary, ShowsWhatAllHeadersDeclare) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::exports_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw::testing {
+namespace foredraw::testing::files_without_memory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ TEST_F(WrittenWithoutMemory, SpritesAreNotWritten) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::files_without_memory_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::flat_meshes_test {
 namespace {
 
 using testing::BumpySheet;
@@ -60,4 +60,4 @@ TEST_P(FlatMeshesForC, CollapseAsByTheFunction) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::flat_meshes_test

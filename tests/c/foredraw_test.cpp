@@ -11,7 +11,7 @@
 #include <memory>
 #include <thread>
 
-namespace foredraw::testing {
+namespace foredraw::testing::foredraw_test {
 namespace {
 
 const std::string spot = FOREDRAW_SOURCE_DIR "/benchmarks/corpus/static/spot.glb";
@@ -294,4 +294,4 @@ TEST_F(ForC, ThreadsShareAContextAndAScene) {
 TEST_F(ForC, KnowsItsVersion) { EXPECT_EQ(foredraw_version(), FOREDRAW_VERSION_NUMBER); }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::foredraw_test

@@ -24,7 +24,8 @@ class Told {
  public:
   ~Told() { foredraw_text_free(&text_); }
   foredraw_text* out() { return &text_; }
-  Json json() const { return Json::parse(std::string(text_.data, text_.length)); }
+  std::string text() const { return text_.data == nullptr ? std::string() : std::string(text_.data, text_.length); }
+  Json json() const { return Json::parse(text()); }
 
  private:
   foredraw_text text_{};

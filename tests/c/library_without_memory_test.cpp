@@ -3,7 +3,7 @@
 #include "bumpy_sheet.h"
 #include "without_memory.h"
 
-namespace foredraw::testing {
+namespace foredraw::testing::library_without_memory_test {
 namespace {
 
 /// With a draw in memory.
@@ -112,4 +112,4 @@ TEST_F(RunsWithoutMemory, Comparisons) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::library_without_memory_test

@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+namespace foredraw::no_memory_test {
 namespace {
 
 using foredraw::testing::held;
@@ -80,7 +81,6 @@ TEST(WithoutMemory, MeshesSayThatItRanOut) {
   std::vector<float> heights(vertices);
   expect_survives([&] { return foredraw_level_attributes(heights.data(), &list, &places, &sequence, 20, &height, 1); },
                   7);
-  expect_survives([&] { return foredraw_energy_collapse(&sequence, &list, &places, nullptr, 0, 60, 1, 0); }, 31);
   std::vector<std::uint8_t> kinds(72);
   expect_survives([&] { return foredraw_shell_kinds(kinds.data(), &list, &places); });
   foredraw_surface_error_figures error;
@@ -120,3 +120,4 @@ TEST(WithoutMemory, SpritesAndInstancesSayThatItRanOut) {
 }
 
 }  // namespace
+}  // namespace foredraw::no_memory_test

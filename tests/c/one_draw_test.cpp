@@ -13,7 +13,7 @@
 #include <numeric>
 #include <thread>
 
-namespace foredraw::testing {
+namespace foredraw::testing::one_draw_test {
 namespace {
 
 using Order = std::vector<std::uint32_t>;
@@ -218,4 +218,4 @@ TEST_F(OneDraw, IsOrderedByEightThreadsAtOnceOnOneContext) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::one_draw_test

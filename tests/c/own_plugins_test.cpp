@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace foredraw::testing {
+namespace foredraw::testing::own_plugins_test {
 namespace {
 
 const std::string spot = FOREDRAW_SOURCE_DIR "/benchmarks/corpus/static/spot.glb";
@@ -261,4 +261,4 @@ TEST_F(OwnPlugins, WrongOnesAreNotAdded) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::own_plugins_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::same_answers_test {
 namespace {
 
 struct Mesh {
@@ -113,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout,
                          ::testing::Combine(::testing::Values(1, 2, 4), ::testing::Values(0, 1, 2)));
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::same_answers_test

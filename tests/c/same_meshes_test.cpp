@@ -6,7 +6,6 @@
 #include <foredraw/c/functions.h>
 #include <foredraw/scene/draw.h>
 #include <foredraw/viewing/view_directions.h>
-#include <plugins/processors/energy_collapse/energy_collapse.h>
 #include <plugins/processors/merge_instances/merge_instances.h>
 #include <plugins/processors/particle_trim/particle_trim.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
@@ -23,7 +22,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::same_meshes_test {
 namespace {
 
 using testing::BumpySheet;
@@ -202,30 +201,6 @@ TEST_P(Simplified, CountsWhatVerticesCarry) {
 
 INSTANTIATE_TEST_SUITE_P(Places, Simplified, ::testing::Bool());
 
-TEST(MeshesForC, CollapseByEnergyAsByTheFunction) {
-  const BumpySheet sheet(5);
-  const foredraw_triangles triangles = sheet.triangles();
-  const foredraw_positions positions = sheet.positions();
-  Sequence sequence(sheet.vertices.size(), true);
-  ASSERT_EQ(foredraw_energy_collapse(&sequence.arrays, &triangles, &positions, nullptr, 0, 20, 3, 7), FOREDRAW_DONE);
-  const std::vector<std::uint32_t> indices(sheet.indices.begin(), sheet.indices.end());
-  const CollapseSequence made = energy_collapse(sheet.places(), indices, {}, {.samples = 3, .seed = 7, .least = 20});
-  ASSERT_EQ(sequence.arrays.count, made.collapses.size());
-  EXPECT_GT(made.collapses.size(), 5u);
-  for (std::size_t i = 0; i < made.collapses.size(); ++i) {
-    EXPECT_EQ(sequence.collapses[i].removed, made.collapses[i].removed);
-    EXPECT_EQ(sequence.collapses[i].error, made.collapses[i].error);
-  }
-  EXPECT_TRUE(std::equal(made.places.begin(), made.places.end(), sequence.places.begin()));
-  const auto refused = [&](std::uint32_t samples) {
-    return foredraw_energy_collapse(&sequence.arrays, &triangles, &positions, nullptr, 0, 0, samples, 0);
-  };
-  EXPECT_EQ(refused(101), FOREDRAW_OPTION_RANGE);
-  sequence.arrays.places = nullptr;
-  EXPECT_EQ(refused(1), FOREDRAW_NULL_POINTER);
-  EXPECT_EQ(foredraw_energy_collapse(nullptr, &triangles, &positions, nullptr, 0, 0, 1, 0), FOREDRAW_NULL_POINTER);
-}
-
 TEST(MeshesForC, HaveShellsOfFiveKinds) {
   // A cube, the same inside out beside it, and half of one behind.
   std::vector<glm::vec3> places;
@@ -360,8 +335,8 @@ TEST(InstancesForC, AreMergedAsByTheFunction) {
   foredraw_merged merged;
   ASSERT_EQ(foredraw_merge_instances(&merged, given.meshes.data(), 2, given.placed.data(), 50, 0, 0), FOREDRAW_DONE);
   std::vector<std::vector<std::uint32_t>> indices;
-  std::vector<merging::PackedMesh> meshes;
-  std::vector<merging::PlacedMesh> placed;
+  std::vector<processors::merge_instances::PackedMesh> meshes;
+  std::vector<processors::merge_instances::PlacedMesh> placed;
   for (const BumpySheet* sheet : {&given.small, &given.large}) {
     indices.emplace_back(sheet->indices.begin(), sheet->indices.end());
   }
@@ -370,14 +345,14 @@ TEST(InstancesForC, AreMergedAsByTheFunction) {
     meshes.push_back({"", indices[i], given.meshes[i].first_vertex, static_cast<std::uint32_t>(places[i].size())});
   }
   for (const foredraw_placed_mesh& at : given.placed) {
-    merging::PlacedMesh one{at.mesh};
+    processors::merge_instances::PlacedMesh one{at.mesh};
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) one.world[column][row] = at.transform[4 * row + column];
     }
     for (const glm::vec3& place : places[at.mesh]) one.box.add(glm::vec3(one.world * glm::vec4(place, 1)));
     placed.push_back(one);
   }
-  const merging::PackedInstances made = merge_instances(meshes, placed, {}, Executor(1));
+  const processors::merge_instances::PackedInstances made = merge_instances(meshes, placed, {}, Executor(1));
   ASSERT_EQ(merged.instance_count, 50u);
   EXPECT_TRUE(
       std::equal(made.indices.begin(), made.indices.end(), merged.indices, merged.indices + merged.index_count));
@@ -420,4 +395,4 @@ TEST(InstancesForC, RefuseWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::same_meshes_test

@@ -1,5 +1,5 @@
 #pragma once
-// A context of the library for C whose memory runs out when it is told to; for a program of one source file.
+// A context of the library for C whose memory runs out when it is told to.
 
 #include <foredraw/c/foredraw.h>
 

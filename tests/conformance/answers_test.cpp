@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foredraw::testing {
+namespace foredraw::testing::conformance_answers_test {
 namespace {
 
 /// What is not on the card has no unit. Asked at the defaults: at others some figures are many of a kind, as
@@ -49,4 +49,4 @@ TEST_P(PluginWithPictures, AnswersRightWithTheMostAndTheLargest) {
 INSTANTIATE_TEST_SUITE_P(Registry, PluginWithPictures, ::testing::ValuesIn(names_with_pictures()), test_name);
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::conformance_answers_test

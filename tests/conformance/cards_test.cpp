@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace foredraw::testing {
+namespace foredraw::testing::cards_test {
 namespace {
 
 /// Whether the draw is what the trait says, as far as that can be seen from the draw.
@@ -69,4 +69,4 @@ TEST_P(EveryPlugin, SaysWhatItIs) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::cards_test

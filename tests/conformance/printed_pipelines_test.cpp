@@ -4,7 +4,7 @@
 
 #include <foredraw/pipeline/parse.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::printed_pipelines_test {
 namespace {
 
 TEST_P(EveryPlugin, PrintsAndParsesBackAtEveryOption) {
@@ -23,4 +23,4 @@ TEST_P(EveryPlugin, PrintsAndParsesBackAtEveryOption) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::printed_pipelines_test

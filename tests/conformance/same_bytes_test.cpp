@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace foredraw::testing {
+namespace foredraw::testing::conformance_same_bytes_test {
 namespace {
 
 TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
@@ -51,4 +51,4 @@ TEST(Conformance, WhatFollowsSequencesOfCollapsesIsTheSameAtAnyThreadCount) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::conformance_same_bytes_test

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::sprite_files_test {
 namespace {
 
 Scene sheet_of_two() {
@@ -67,4 +67,4 @@ TEST(SpriteFiles, frames_of_a_sheet_are_written_and_read_back_each_as_a_node_wit
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_files_test

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace foredraw {
+namespace foredraw::quotes_test {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -47,4 +47,4 @@ TEST(Embedding, TheReadmeQuotesWhatIsCompiled) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quotes_test

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::antialiasing_test {
 namespace {
 
-using antialias::Way;
+using evaluators::antialiasing::Way;
 using testing::ThinMesh;
 
 constexpr FrameSize size{160, 160};
@@ -77,11 +77,11 @@ TEST(Antialiasing, WideWiresAreDrawnAsTheyAreToTheBit) {
   const FrameMoment moment = frame_moment(frames, 0);
   const FrameCamera camera = testing::pixel_camera(size);
   const std::vector<DrawnObject> objects{{0}};
-  const antialias::Frame frame{frames, moment, camera, size, objects};
-  EXPECT_EQ(antialias::picture_of(frame, Way::msaa_4).picture.colours,
-            antialias::picture_of(frame, Way::wire_clamp_msaa_4).picture.colours);
-  EXPECT_EQ(antialias::picture_of(frame, Way::none).picture.colours,
-            antialias::picture_of(frame, Way::wire_clamp).picture.colours);
+  const evaluators::antialiasing::Frame frame{frames, moment, camera, size, objects};
+  EXPECT_EQ(evaluators::antialiasing::picture_of(frame, Way::msaa_4).picture.colours,
+            evaluators::antialiasing::picture_of(frame, Way::wire_clamp_msaa_4).picture.colours);
+  EXPECT_EQ(evaluators::antialiasing::picture_of(frame, Way::none).picture.colours,
+            evaluators::antialiasing::picture_of(frame, Way::wire_clamp).picture.colours);
 }
 
 /// One segment that reaches from a few metres to hundreds: a fade that is interpolated draws more than twice the ink.
@@ -169,4 +169,4 @@ TEST(Antialiasing, WithoutWiresNothingIsSaidOfThem) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::antialiasing_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::attribute_error_test {
 namespace {
 
 struct Carrying {
@@ -124,4 +124,4 @@ TEST(AttributeErrorPlugin, MeasuresTextureCoordinatesInTheUnitsOfTheFile) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::attribute_error_test

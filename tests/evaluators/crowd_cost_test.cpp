@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::crowd_cost_test {
 namespace {
 
 /// A character of the paper's cage: 5,160 triangles, tessellated up to 15, and simplified to 20. Off by a thousandth of
@@ -174,4 +174,4 @@ TEST(CrowdCost, EndsWhenItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_cost_test

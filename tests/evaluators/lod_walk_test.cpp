@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::lod_walk_test {
 namespace {
 
-using walking::Method;
+using evaluators::lod_walk::Method;
 
 struct Walked {
   Scene scene = testing::levelled_field(12);
@@ -38,7 +38,7 @@ LodWalkOptions without_pictures() {
   LodWalkOptions options = usual();
   options.pictures = 0;
   options.renderings = false;
-  options.accuracy = walking::Accuracy::errors;
+  options.accuracy = evaluators::lod_walk::Accuracy::errors;
   return options;
 }
 
@@ -170,4 +170,4 @@ TEST(LodWalk, WrongWordsAreTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_walk_test

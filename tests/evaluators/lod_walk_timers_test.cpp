@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::lod_walk_timers_test {
 namespace {
 
 TEST(LodWalkTimers, FramesTakeWhatTheTimerSays) {
@@ -20,10 +20,10 @@ TEST(LodWalkTimers, FramesTakeWhatTheTimerSays) {
   const FrameSet set{.frames = 5, .width = 160, .height = 90};
   const CameraPath path = std::get<CameraPath>(camera_path(frames, set));
   LodWalkOptions options;
-  options.methods = {walking::Method::none, walking::Method::budget};
+  options.methods = {evaluators::lod_walk::Method::none, evaluators::lod_walk::Method::budget};
   options.pictures = 0;
   options.renderings = false;
-  options.accuracy = walking::Accuracy::errors;
+  options.accuracy = evaluators::lod_walk::Accuracy::errors;
   std::size_t calls = 0, objects = 0;
   options.timer = [&](const FrameMoment&, const FrameCamera&, std::span<const DrawnObject> drawn) {
     objects += drawn.size();
@@ -78,4 +78,4 @@ TEST(LodWalkTimers, VulkanDrawsOrSaysWhyNot) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_walk_timers_test

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::overdraw_embree_box_tree_test {
 namespace {
 
 TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
-  std::vector<Box> boxes;
+  std::vector<Box<glm::vec3>> boxes;
   for (int i = 0; i < 100; ++i)
     boxes.push_back({glm::vec3(i % 10, i / 10, i) * 0.1f, glm::vec3(i % 10 + 1, i / 10 + 1, i + 1) * 0.1f});
   const EmbreeBoxTree tree(boxes);
@@ -27,4 +27,4 @@ TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_embree_box_tree_test

@@ -3,6 +3,8 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
+#include <foredraw/measuring/overdraw_service.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::overdraw_embree_plugin_test {
 namespace {
 
 using testing::find;
@@ -86,4 +88,4 @@ TEST(OverdrawEmbreePlugin, answers_for_measured_overdraw) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_embree_plugin_test

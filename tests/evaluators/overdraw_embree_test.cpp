@@ -16,7 +16,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::overdraw_embree_test {
 namespace {
 
 using testing::part_of;
@@ -358,4 +358,4 @@ TEST(OverdrawEmbree, many_threads_may_ask_the_same_tree) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_embree_test

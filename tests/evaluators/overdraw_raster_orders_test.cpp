@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_orders_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -215,4 +215,4 @@ TEST(OverdrawOrders, poses_draw_what_their_keyframe_says) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_orders_test

@@ -3,6 +3,9 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
+#include <foredraw/measuring/overdraw_service.h>
+#include <foredraw/overdraw/layers.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_plugin_test {
 namespace {
 
 using testing::all_sides;
@@ -254,4 +257,4 @@ TEST(OverdrawRasterPlugin, a_view_set_that_can_not_be_made_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_plugin_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_poses_test {
 namespace {
 
 /// A ball that hangs from a joint and moves into a ring and out on its other side within two seconds; then it stands
@@ -199,4 +199,4 @@ TEST(OverdrawPoses, sets_that_can_not_be_made_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_poses_test

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_properties_test {
 namespace {
 
 using testing::part_of;
@@ -112,4 +112,4 @@ RC_GTEST_PROP(OverdrawRasterProperties, threads_change_nothing, (std::uint64_t s
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_properties_test

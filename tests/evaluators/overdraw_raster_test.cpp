@@ -6,6 +6,7 @@
 #include "support/painter.h"
 
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_test {
 namespace {
 
 using testing::all_sides;
@@ -223,4 +224,4 @@ TEST(OverdrawRaster, the_same_counts_everywhere) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_test

@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::overdraw_vulkan_test {
 namespace {
 
 using testing::all_sides;
@@ -48,9 +48,8 @@ class OverdrawVulkan : public testing::OnDevice {
 
   OverdrawDevice& device() { return *device_; }
 
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views,
-                      CountMethod method = CountMethod::queries) {
-    return overdraw_vulkan(*device_, parts, views, method);
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views) {
+    return overdraw_vulkan(*device_, parts, views);
   }
 
   OverdrawCount draw(const TestMesh& mesh, const Views& views, bool culls_back_faces = true) {
@@ -86,25 +85,23 @@ TEST_F(OverdrawVulkan, holes_show_what_lies_behind) {
   const TestMesh far = quad(-0.1f);
   const TestMesh near = quad(0.1f);
   const Views front = views_of({{0, 0, 1}});
-  for (const CountMethod method : {CountMethod::queries, CountMethod::atomics}) {
-    std::vector<RasterPart> parts = {part_of(far), part_of(near)};
-    const std::uint64_t whole = draw(parts, front, method)[1][0].visible;
-    EXPECT_GT(whole, 1000u);
-    parts[1].mask = testing::half_a_hole();
-    OverdrawCounts counts = draw(parts, front, method);
-    EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole / 2, 0, 0}));
-    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
-    std::swap(parts[0], parts[1]);  // near to far
-    counts = draw(parts, front, method);
-    EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
-    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
-    auto opaque_on_the_left = std::make_shared<Mask>(*parts[0].mask);
-    opaque_on_the_left->uv = {{1, 1}, {0, 1}, {1, 0}, {0, 0}};
-    parts[1].mask = opaque_on_the_left;  // what the one lets through the other holds
-    counts = draw(parts, front, method);
-    EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
-    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
-  }
+  std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+  const std::uint64_t whole = draw(parts, front)[1][0].visible;
+  EXPECT_GT(whole, 1000u);
+  parts[1].mask = testing::half_a_hole();
+  OverdrawCounts counts = draw(parts, front);
+  EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole / 2, 0, 0}));
+  EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+  std::swap(parts[0], parts[1]);  // near to far
+  counts = draw(parts, front);
+  EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+  EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+  auto opaque_on_the_left = std::make_shared<Mask>(*parts[0].mask);
+  opaque_on_the_left->uv = {{1, 1}, {0, 1}, {1, 0}, {0, 0}};
+  parts[1].mask = opaque_on_the_left;  // what the one lets through the other holds
+  counts = draw(parts, front);
+  EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+  EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
 }
 
 TEST_F(OverdrawVulkan, holes_are_where_the_exact_one_has_them) {
@@ -196,18 +193,6 @@ TEST_F(OverdrawVulkan, parts_sum_to_what_they_are_as_one) {
   }
 }
 
-TEST_F(OverdrawVulkan, both_methods_count_the_same) {
-  const std::vector<TestMesh> meshes = {testing::tangle(4, false), testing::torus(30, 20), testing::tangle(5, true)};
-  for (const double distance : {0.0, 1.2}) {
-    for (const bool culls : {true, false}) {
-      const Views views = all_sides(150, distance);
-      const OverdrawCounts counts = draw(parts_of(meshes, culls), views);
-      EXPECT_EQ(counts, draw(parts_of(meshes, culls), views, CountMethod::atomics));
-      EXPECT_GT(total(counts).ties, 1000u);
-    }
-  }
-}
-
 // --- what hardly is there
 // ----------------------------------------------------------------------------------------------
 
@@ -222,15 +207,13 @@ TEST_F(OverdrawVulkan, nothing_is_drawn_of_nothing) {
 
 TEST_F(OverdrawVulkan, parts_without_triangles_keep_their_place) {
   const std::vector<TestMesh> meshes = {TestMesh(), quad(-0.1f), TestMesh{{{5, 5, 5}}, {}}, quad(0.1f), TestMesh()};
-  for (const CountMethod method : {CountMethod::queries, CountMethod::atomics}) {
-    const OverdrawCounts counts = draw(parts_of(meshes), views_of({{0, 0, 1}}), method);
-    ASSERT_EQ(counts.size(), meshes.size());
-    const std::uint64_t pixels = counts[3][0].visible;
-    EXPECT_GT(pixels, 1500u);
-    EXPECT_EQ(counts[1][0], (OverdrawCount{pixels, 0, 0}));
-    EXPECT_EQ(counts[3][0], (OverdrawCount{pixels, pixels, 0}));
-    for (const std::size_t empty : {0, 2, 4}) EXPECT_EQ(counts[empty][0], OverdrawCount());
-  }
+  const OverdrawCounts counts = draw(parts_of(meshes), views_of({{0, 0, 1}}));
+  ASSERT_EQ(counts.size(), meshes.size());
+  const std::uint64_t pixels = counts[3][0].visible;
+  EXPECT_GT(pixels, 1500u);
+  EXPECT_EQ(counts[1][0], (OverdrawCount{pixels, 0, 0}));
+  EXPECT_EQ(counts[3][0], (OverdrawCount{pixels, pixels, 0}));
+  for (const std::size_t empty : {0, 2, 4}) EXPECT_EQ(counts[empty][0], OverdrawCount());
 }
 
 TEST_F(OverdrawVulkan, one_triangle_covers_its_area) {
@@ -284,12 +267,10 @@ TEST_F(OverdrawVulkan, more_views_than_fit_into_a_batch_count_as_each_alone) {
   const std::vector<RasterPart> parts = parts_of(meshes);
   const Views views = all_sides(1200, 0, 7);
   ASSERT_LT(device().painter().pictures(1200).count(), 4u);
-  for (const CountMethod method : {CountMethod::queries, CountMethod::atomics}) {
-    const OverdrawCounts counts = draw(parts, views, method);
-    for (std::size_t v = 0; v < views.views.size(); ++v) {
-      const OverdrawCounts alone = draw(parts, Views{{views.views[v]}, views.size}, method);
-      for (std::size_t part = 0; part < parts.size(); ++part) EXPECT_EQ(alone[part][0], counts[part][v]);
-    }
+  const OverdrawCounts counts = draw(parts, views);
+  for (std::size_t v = 0; v < views.views.size(); ++v) {
+    const OverdrawCounts alone = draw(parts, Views{{views.views[v]}, views.size});
+    for (std::size_t part = 0; part < parts.size(); ++part) EXPECT_EQ(alone[part][0], counts[part][v]);
   }
 }
 
@@ -398,4 +379,4 @@ TEST_F(OverdrawVulkan, pictures_too_large_for_the_device_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_vulkan_test

@@ -5,7 +5,7 @@
 #include "support/meshes.h"
 
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/technique/plugin.h>
 
@@ -13,7 +13,7 @@
 
 #include <map>
 
-namespace foredraw {
+namespace foredraw::scene_cost_test {
 namespace {
 
 using testing::draw_of;
@@ -239,4 +239,4 @@ TEST(SceneCost, threads_change_nothing_and_the_plugin_tells_the_figures) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::scene_cost_test

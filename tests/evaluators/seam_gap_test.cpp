@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::seam_gap_test {
 namespace {
 
 using namespace testing;
@@ -199,4 +199,4 @@ TEST(SeamGapEvaluator, TellsOfWeightsThatTearTheSurfaceInPoses) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::seam_gap_test

@@ -13,7 +13,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::sprite_fill_test {
 namespace {
 
 using Triangles = std::vector<std::uint32_t>;
@@ -283,4 +283,4 @@ TEST(SpritePainter, tells_pictures_apart_where_they_show) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_fill_test

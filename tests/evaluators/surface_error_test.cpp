@@ -12,7 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace foredraw {
+namespace foredraw::surface_error_test {
 namespace {
 
 using testing::TestMesh;
@@ -178,4 +178,4 @@ TEST(SurfaceErrorPlugin, LooksAtPosesOfWhatMoves) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::surface_error_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::thin_parts_test {
 namespace {
 
 using testing::ThinMesh;
@@ -58,4 +58,4 @@ TEST(ThinParts, SharesOfTheSurface) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::thin_parts_test

@@ -10,7 +10,7 @@
 #include <meshoptimizer.h>
 #include <rapidcheck/gtest.h>
 
-namespace foredraw {
+namespace foredraw::vertex_cache_test {
 namespace {
 
 using testing::TestMesh;
@@ -149,4 +149,4 @@ TEST(VertexCache, an_unknown_model_is_a_mistake_that_names_the_known_ones) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_cache_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::vertex_precision_models_test {
 namespace {
 
 Scene model(const std::string& name) {
@@ -53,4 +53,4 @@ TEST(VertexPrecision, NoPoseBetweenKeysLeavesTheLattice) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_precision_models_test

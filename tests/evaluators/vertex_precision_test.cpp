@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::vertex_precision_test {
 namespace {
 
 using testing::packed_of;
@@ -86,4 +86,4 @@ TEST(VertexPrecision, IsTheSameAtAnyNumberOfThreads) {
 TEST(VertexPrecision, OfWhatIsNotPackedIsNothing) { EXPECT_TRUE(precision(testing::framed_scene()).empty()); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_precision_test

@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   claim(scene.has_value() != diagnostics.has_errors(), "read and not read at once: " + to_text(diagnostics));
   if (!scene || scene->draws.size() > 64) return 0;
 
-  for (const char* target : {"out.json", "out.h", "out.svg", "out.html", "out.glb"}) {
+  for (const char* target : {"out.json", "out.h", "out.html", "out.glb"}) {
     const auto files = encode_scene(*scene, (folder.path / target).string(), diagnostics);
     claim(files.has_value(), std::string(target) + " can not be written: " + to_text(diagnostics));
     if (std::string_view(target) != "out.json") continue;

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::animated_orders_test {
 namespace {
 
 struct Told {
@@ -77,4 +77,4 @@ TEST(AnimatedOrders, EachClipMayHaveASetOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::animated_orders_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace foredraw {
+namespace foredraw::golden_corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(Models, Corpus, ::testing::ValuesIn(corpus()), test_name);
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::golden_corpus_test

@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::hidden_pictures_test {
 namespace {
 
 struct Case {
@@ -153,4 +153,4 @@ TEST(HiddenPicturesOfOne, ShowTheSame) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_pictures_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::overdraw_evaluators_test {
 namespace {
 
 /// Evaluators that count overdraw otherwise, and that this machine can run.
@@ -63,4 +63,4 @@ TEST(OverdrawEvaluators, AreNearToTheExactOneFromManySides) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_evaluators_test

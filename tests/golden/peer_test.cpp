@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::peer_test {
 namespace {
 
 class Peer : public ::testing::TestWithParam<const char*> {};
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(Models, Peer, ::testing::Values("spot.glb", "head.glb",
                          });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::peer_test

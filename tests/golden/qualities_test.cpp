@@ -9,7 +9,7 @@
 
 #include <filesystem>
 
-namespace foredraw {
+namespace foredraw::qualities_test {
 namespace {
 
 struct Knob {
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(LargeModels, Qualities,
                          model_of);
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::qualities_test

@@ -9,7 +9,7 @@
 
 #include <filesystem>
 
-namespace foredraw {
+namespace foredraw::sides_pictures_test {
 namespace {
 
 struct Case {
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(LargeModels, SidesPictures,
 TEST(SidesPicturesOfFew, ShowTheSame) { expect_the_same_look({"animated/mannequiny.glb", 1}, 30, 256, "(checks=60)"); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_pictures_test

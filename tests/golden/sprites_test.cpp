@@ -16,7 +16,7 @@
 #include <array>
 #include <filesystem>
 
-namespace foredraw {
+namespace foredraw::sprites_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ INSTANTIATE_TEST_SUITE_P(Textures, Sprites, ::testing::ValuesIn(bench::particle_
                          [](const ::testing::TestParamInfo<fs::path>& info) { return info.param.stem().string(); });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprites_test

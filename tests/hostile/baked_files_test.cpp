@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::baked_files_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -113,4 +113,4 @@ TEST_F(BakedFiles, OfNoTrianglesAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::baked_files_test

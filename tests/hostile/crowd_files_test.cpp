@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::crowd_files_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -105,4 +105,4 @@ TEST_F(CrowdFiles, OfNobodyAndOfNoLevelAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_files_test

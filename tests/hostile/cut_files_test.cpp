@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::cut_files_test {
 namespace {
 
 using testing::go_the_whole_way;
@@ -69,4 +69,4 @@ TEST_F(CutPairs, gltf_is_refused_wherever_it_or_its_bin_is_cut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cut_files_test

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace foredraw {
+namespace foredraw::damaged_extensions_test {
 namespace {
 
 using testing::Damaged;
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(Ours, DamagedExtension, ::testing::ValuesIn(testing::ow
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::damaged_extensions_test

@@ -4,7 +4,7 @@
 
 #include <foredraw/io/gltf/gltf.h>
 
-namespace foredraw {
+namespace foredraw::damaged_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Gltf, DamagedFile, ::testing::ValuesIn(expectations()),
 });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::damaged_files_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::damaged_streams_test {
 namespace {
 
 using testing::Damaged;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(Ours, DamagedStreams, ::testing::ValuesIn(testing::own_
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::damaged_streams_test

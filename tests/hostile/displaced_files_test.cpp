@@ -4,7 +4,7 @@
 
 #include "support/expect_numbers.h"
 
-namespace foredraw {
+namespace foredraw::displaced_files_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, DisplacedFiles,
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_files_test

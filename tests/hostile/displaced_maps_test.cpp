@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::displaced_maps_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -124,4 +124,4 @@ TEST_F(DisplacedMaps, MapsThatCannotBeReadAreTold) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_maps_test

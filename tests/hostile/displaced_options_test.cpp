@@ -1,7 +1,7 @@
 // Options of the stages for displaced surfaces and crowds that are no numbers, or none that may be.
 #include "displaced_parts.h"
 
-namespace foredraw {
+namespace foredraw::displaced_options_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -34,4 +34,4 @@ TEST_F(DisplacedOptions, OptionsThatAreNoNumbersAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_options_test

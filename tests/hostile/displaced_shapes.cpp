@@ -1,14 +1,11 @@
 #include "displaced_cases.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace foredraw::testing {
 
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// Fifty triangles around one position, each with a corner of its own there.
 void fan_of_fifty(Parts& of, float apart) {
@@ -133,7 +130,7 @@ const std::vector<DisplacedCase>& displaced_vertices() {
        "vertex-pack", "a default is packed: 30"},
       {"tangent-no-number",
        [](Parts& of) {
-         tangents(of, {nan, 0, 1, nan});
+         tangents(of, {NAN, 0, 1, NAN});
        },
        "vertex-pack", "a default is packed: 30"},
       {"weights-unequal",
@@ -148,7 +145,7 @@ const std::vector<DisplacedCase>& displaced_vertices() {
        }},
       {"weights-no-numbers",
        [](Parts& of) {
-         weigh(of, {nan, nan}, {nan, nan});
+         weigh(of, {NAN, NAN}, {NAN, NAN});
        },
        "vertex-pack", "in no pose is any of its positions finite"},
       {"weights-1e30",

@@ -15,7 +15,7 @@
 
 #include <chrono>
 
-namespace foredraw {
+namespace foredraw::kill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ TEST_F(Killed, scene_that_can_not_be_written_whole_changes_nothing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::kill_test

@@ -4,7 +4,7 @@
 #include "support/meshes.h"
 #include "support/program.h"
 
-namespace foredraw {
+namespace foredraw::memory_limit_test {
 namespace {
 
 class MemoryLimit : public testing::InFolder {
@@ -95,5 +95,5 @@ TEST_F(MemoryLimit, is_a_size) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::memory_limit_test
 #endif

@@ -20,7 +20,7 @@ namespace foredraw::testing {
 
 namespace {
 
-Scene torus() { return scene_of(closed_torus(16, 8)); }
+Scene torus_scene() { return scene_of(closed_torus(16, 8)); }
 
 Scene displaced() {
   return displaced_grid(
@@ -64,24 +64,25 @@ std::vector<OwnExtension> own_extensions() {
        R"(primitive/levels/\d( is missing|/indices is (missing|a row short)|/error is (missing|4294967296)|)"
        R"(/attributes/POSITION (is (of another kind|noise)|has all bits set))|)"
        R"(primitive/levels/[01]/(indices|attributes/POSITION) is a row too long)",  // it ends in the next level's
-       torus},
+       torus_scene},
       {"FOREDRAW_progressive_mesh", "weld, quadric-collapse",
-       "file/meshes/0/(places is (missing|noise)|solved is missing)", torus},
-      {"FOREDRAW_geomorph", "weld, quadric-collapse, levels(keep-sequences=true), geomorphs", "", torus},
-      {"FOREDRAW_progressive_stream", "weld, quadric-collapse(placement=endpoint), progressive-stream", "", torus},
-      {"FOREDRAW_lod_table", "weld, quadric-collapse, levels, lod-table", "", torus},
+       "file/meshes/0/(places is (missing|noise)|solved is missing)", torus_scene},
+      {"FOREDRAW_geomorph", "weld, quadric-collapse, levels(keep-sequences=true), geomorphs", "", torus_scene},
+      {"FOREDRAW_progressive_stream", "weld, quadric-collapse(placement=endpoint), progressive-stream", "",
+       torus_scene},
+      {"FOREDRAW_lod_table", "weld, quadric-collapse, levels, lod-table", "", torus_scene},
       {"FOREDRAW_crowd_levels", "weld, quadric-collapse, levels, crowd-levels",
-       R"(primitive/(area|levels/\d/largest) is 4294967296)", torus},
+       R"(primitive/(area|levels/\d/largest) is 4294967296)", torus_scene},
       {"FOREDRAW_tessellation_levels", "tessellation-levels", R"(primitive/scales/1/(rms|largest) is 4294967296)",
        displaced},
       {"FOREDRAW_baked_heights", "weld, quadric-collapse, displacement-bake(rms=0.0005)",
        R"(primitive/(factor|offset) is (-1|4294967296))", waves},
-      {"FOREDRAW_packed_vertices", "vertex-pack", "", torus},
+      {"FOREDRAW_packed_vertices", "vertex-pack", "", torus_scene},
       {"FOREDRAW_seam_heights", "displacement-seams(table=true)",
        "primitive/(heights (has all bits set|is noise)|sides is a row short)", charts},
       {"FOREDRAW_wires", "wire-radius", R"(primitive/wires/\d/((length|radius) is 4294967296|closed is missing))",
        rope_and_body},
-      {"FOREDRAW_second_depth", "second-depth", "", torus},
+      {"FOREDRAW_second_depth", "second-depth", "", torus_scene},
   };
 }
 

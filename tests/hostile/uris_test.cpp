@@ -4,7 +4,7 @@
 #include "support/gltf_builder.h"
 #include "support/program.h"
 
-namespace foredraw {
+namespace foredraw::uris_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST_F(Uris, of_images_are_never_followed) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::uris_test

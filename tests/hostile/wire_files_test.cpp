@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::wire_files_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -230,4 +230,4 @@ TEST_F(WireFiles, OptionsThatMayNotBeAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_files_test

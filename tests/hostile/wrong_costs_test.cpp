@@ -3,7 +3,7 @@
 
 #include <regex>
 
-namespace foredraw {
+namespace foredraw::wrong_costs_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -78,4 +78,4 @@ TEST_F(WrongCosts, TheLeastAndTheMostGiveNumbers) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wrong_costs_test

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::wrong_numbers_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -144,4 +144,4 @@ TEST(WrongNumbers, sparse_elements_must_lie_where_there_are_some) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wrong_numbers_test

@@ -6,7 +6,7 @@
 
 #include <foredraw/scene/subject.h>
 
-namespace foredraw {
+namespace foredraw::wrong_shapes_test {
 namespace {
 
 using testing::bytes_of;
@@ -207,4 +207,4 @@ TEST_F(SmallFiles, of_a_long_file_only_the_buffer_is_read) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wrong_shapes_test

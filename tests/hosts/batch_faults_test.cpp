@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::batch_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -235,4 +235,4 @@ TEST_F(BatchFaults, TwoHundredThousandFilesInOneFolderLong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::batch_faults_test

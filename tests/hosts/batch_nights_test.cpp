@@ -5,11 +5,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::batch_nights_test {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::ContainsRegex;
 using testing::content;
 using testing::Ended;
 using ::testing::HasSubstr;
@@ -21,48 +20,7 @@ class BatchNights : public testing::OnCorpus {
   BatchNights() { fs::create_directories(folder_ / "in/props"); }
 
   Json report() { return Json::parse(content(folder_ / "r.json")); }
-  /// Without what differs from run to run.
-  static Json without_times(Json json) {
-    if (json.is_object()) {
-      for (const char* key : {"seconds", "peak-memory", "cached"}) json.erase(key);
-    }
-    for (Json& held : json) {
-      if (held.is_structured()) held = without_times(std::move(held));
-    }
-    return json;
-  }
 };
-
-/// Its first stage takes longer than to keep what it came to.
-TEST_F(BatchNights, AChangedLastStageDoesNotRedoTheFirst) {
-  copy("static/spot.glb", "model.glb");
-  const auto command = [](const std::string& last, const std::string& rest) {
-    return "optimize model.glb -o a.glb --threads 1 --report r.json --with vertex-cache -p 'occlusion-order, " + last +
-           "' --set views.count=642 " + rest;
-  };
-  const auto stages_cached = [&] {
-    std::string cached;
-    const Json whole = report();
-    for (const Json& stage : whole["stages"]) cached += stage.value("cached", false) ? '1' : '0';
-    return cached;
-  };
-  ASSERT_EQ(run(command("vertex-fetch", "--cache cache")).code, 0);
-  EXPECT_EQ(stages_cached(), "00");
-  for (const char* last : {"weld", "weld, vertex-fetch"}) {
-    const Ended ended = run(command(last, "--cache cache"));
-    ASSERT_EQ(ended.code, 0);
-    EXPECT_THAT(ended.err, ContainsRegex("occlusion-order.* m?s, from the cache\n"));
-    EXPECT_EQ(stages_cached().substr(0, 2), "10");
-    EXPECT_EQ(report()["measures"].size(), 1u);
-    const std::string resumed = content(folder_ / "a.glb");
-    const Json told = without_times(report());
-    ASSERT_EQ(run(command(last, "")).code, 0);
-    EXPECT_EQ(content(folder_ / "a.glb") == resumed, true) << last;
-    EXPECT_EQ(without_times(report()), told) << last;
-  }
-  ASSERT_EQ(run(command("vertex-fetch", "--cache cache --set seed=7")).code, 0);
-  EXPECT_EQ(stages_cached(), "00") << "another seed";
-}
 
 TEST_F(BatchNights, WhatChangedSinceTheLastRunIsToldWorstFirst) {
   copy("static/spot.glb", "in/spot.glb");
@@ -105,4 +63,4 @@ TEST_F(BatchNights, WhatChangedSinceTheLastRunIsToldWorstFirst) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::batch_nights_test

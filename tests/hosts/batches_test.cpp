@@ -12,7 +12,7 @@
 #include <thread>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::batches_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -422,4 +422,4 @@ TEST_F(Batches, AKillAtAnyMomentLosesNothingLong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::batches_test

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-namespace foredraw {
+namespace foredraw::budget_walk_test {
 namespace {
 
 class BudgetWalk : public testing::InFolder {
@@ -62,4 +62,4 @@ TEST_F(BudgetWalk, DrawsTheLeastWhereNothingIsCheapEnough) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::budget_walk_test

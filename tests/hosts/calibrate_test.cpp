@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::calibrate_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST_F(Calibrate, RefusesWhatItCannotWriteBeforeItMeasures) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::calibrate_test

@@ -15,7 +15,7 @@
 #include <regex>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::character_orders_test {
 namespace {
 
 using testing::content;
@@ -157,4 +157,4 @@ TEST(DrawOrders, MemoryIsToldAgainstAnOrderForEachKeyframe) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::character_orders_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::cli_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         of_optimize("unmet_need", "-p dot-rule", "then 'linear-clusters' before it, and 'vertex-fetch' after it"),
         of_optimize("unknown_preset", "-p @defualt", "@default"),
         of_optimize("unknown_set", "--set lookahead.cach-size=3", "cache-size"),
-        Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
+        Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, "extensions .glb, .gltf, .obj"},
         Mistake{"missing_folder", "optimize SPOT -o no/such/folder/out.glb", 2, "no folder 'no/such/folder'"},
         Mistake{"no_output", "optimize SPOT", 1, "--output"},
         Mistake{"no_command", "", 1, "hint: there are optimize, plan"},
@@ -119,4 +119,4 @@ TEST_F(CliFaults, TellsEveryMistakeOfAPipelineAtOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cli_faults_test

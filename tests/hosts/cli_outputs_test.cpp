@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::cli_outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,10 +30,16 @@ TEST_F(CliOutputs, MeshesGoToGltfAndBackToTheirOwnKind) {
   EXPECT_EQ(content(folder_ / "again.obj").size(), content(folder_ / "strip.obj").size());
   EXPECT_EQ(content(folder_ / "again.obj").substr(0, 7), "# kept\n");
   const Ended other = run("optimize strip.obj -o strip.ply");
-  EXPECT_EQ(other.code, 1);
-  EXPECT_NE(other.err.find("strip.ply: error: only a scene that was read from .ply can be written as one"),
+  EXPECT_EQ(other.code, 0);
+  EXPECT_NE(other.err.find("strip.ply: warning: the scene was not read from .ply, so the file is made anew"),
             std::string::npos)
       << other.err;
+  EXPECT_EQ(run("optimize strip.ply -o strip.stl").code, 0);
+  EXPECT_EQ(run("optimize strip.glb -o strip.off").code, 0);
+  const Ended unknown = run("optimize strip.obj -o strip.fbx");
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_NE(unknown.err.find("strip.fbx: error: scenes cannot be written as this kind of file"), std::string::npos)
+      << unknown.err;
   std::ofstream(folder_ / "broken.stl") << "solid";
   const Ended broken = run("measure broken.stl");
   EXPECT_EQ(broken.code, 2);
@@ -233,4 +239,4 @@ TEST_F(CliOutputs, WritesThroughALink) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cli_outputs_test

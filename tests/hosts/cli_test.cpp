@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST_F(Cli, SaysWhyAPluginIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cli_test

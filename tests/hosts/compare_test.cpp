@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::compare_test {
 namespace {
 
 using testing::content;
@@ -211,4 +211,4 @@ TEST_F(Compare, AFrontOfFiguresThatNobodyHasIsTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::compare_test

@@ -7,7 +7,7 @@
 
 #include <sys/resource.h>
 
-namespace foredraw {
+namespace foredraw::cost_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -32,4 +32,4 @@ TEST_F(Cost, TheLargestSceneStaysWithinItsMemory) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cost_test

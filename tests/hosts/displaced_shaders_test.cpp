@@ -3,7 +3,7 @@
 #include "support/compiled_shader.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::displaced_shaders_test {
 namespace {
 
 class DisplacedShaders : public testing::InFolder {
@@ -60,4 +60,4 @@ TEST_F(DisplacedShaders, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_shaders_test

@@ -11,7 +11,7 @@
 #include <regex>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::docs_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -166,4 +166,4 @@ TEST_F(Docs, TheExitCodesStandInOneTable) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::docs_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::folder_test

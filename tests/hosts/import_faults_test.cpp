@@ -8,7 +8,7 @@
 #include <array>
 #include <random>
 
-namespace foredraw {
+namespace foredraw::import_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST_F(ImportedByProgram, DamagedFilesNeverEndTheProgramLong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::import_faults_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::import_formats_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -135,4 +135,4 @@ TEST_F(ImportedFormats, ARefusalSaysWhatTheFileIs) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::import_formats_test

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::import_pictures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ TEST_F(ImportedPictures, WhatAnFbxDoesWithItsTexturesIsTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::import_pictures_test

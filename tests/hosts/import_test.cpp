@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::import_test {
 namespace {
 
 using testing::FbxBuilder;
@@ -122,4 +122,4 @@ TEST_F(Imported, OneMeshOnManyNodesIsInstances) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::import_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::interruption_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,7 +39,8 @@ class Interrupted : public testing::InFolder {
   }
 };
 
-constexpr const char* slow = " -p 'weld, energy-collapse(samples=100), simplify(ratio=0.1)' --with vertex-cache";
+constexpr const char* slow =
+    " -p 'tipsify, occlusion-order(quality=high, k=255), vertex-fetch' --products none --with vertex-cache";
 constexpr const char* many_views = " --with 'overdraw-raster(count=100000)'";
 
 TEST_F(Interrupted, OptimizeWritesNothing) {
@@ -70,4 +71,4 @@ TEST_F(Interrupted, OfAFolderWhatIsDoneStaysAndTheRestIsSaid) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::interruption_test

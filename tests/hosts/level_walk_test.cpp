@@ -5,7 +5,7 @@
 
 #include <regex>
 
-namespace foredraw {
+namespace foredraw::level_walk_test {
 namespace {
 
 using testing::content;
@@ -82,4 +82,4 @@ TEST_F(LevelWalk, RefusesWhatHasNoLevels) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::level_walk_test

@@ -13,7 +13,7 @@
 #include <functional>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::small_inputs_test {
 namespace {
 
 using testing::Ended;
@@ -327,4 +327,4 @@ TEST_F(SmallInputs, OfTenMillionVerticesAreWrittenLong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::small_inputs_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::sprite_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,22 +35,21 @@ class Sprites : public testing::InFolder {
 };
 
 TEST_F(Sprites, OneRunWritesSeveralFiles) {
-  const Ended ended =
-      run("optimize in/list.json -p hexagons -o a.json -o a.glb -o a.svg -o a.png -o a.h -o a.html --report r.json");
+  const Ended ended = run("optimize in/list.json -p hexagons -o a.json -o a.glb -o a.h -o a.html --report r.json");
   ASSERT_EQ(ended.code, 0) << ended.err;
-  for (const char* name : {"a.glb", "a.svg", "a.png", "a.h", "a.html"}) EXPECT_TRUE(is_there(name)) << name;
+  for (const char* name : {"a.glb", "a.h", "a.html"}) EXPECT_TRUE(is_there(name)) << name;
   EXPECT_EQ(json("a.json")["frames"]["left"]["vertices"].size(), 6u);
   EXPECT_EQ(json("r.json")["output"]["path"], "a.json");  // the first one
   EXPECT_EQ(json("r.json")["output"]["bytes"], content(folder_ / "a.json").size());
 }
 
 TEST_F(Sprites, AllOutputsAreWrittenOrNone) {
-  EXPECT_EQ(run("optimize in/list.json -p hexagons -o a.svg -o no/a.json").code, 2);
-  EXPECT_FALSE(is_there("a.svg"));
-  const Ended replaced = run("optimize in/list.json -p hexagons -o a.svg -o in/atlas.png");
+  EXPECT_EQ(run("optimize in/list.json -p hexagons -o a.html -o no/a.json").code, 2);
+  EXPECT_FALSE(is_there("a.html"));
+  const Ended replaced = run("optimize in/list.json -p hexagons -o a.html -o in/list.json");
   EXPECT_NE(replaced.code, 0);
-  EXPECT_THAT(replaced.err, HasSubstr("would replace a file that the sprites were read from"));
-  EXPECT_FALSE(is_there("a.svg"));
+  EXPECT_THAT(replaced.err, HasSubstr("is an input of this run"));
+  EXPECT_FALSE(is_there("a.html"));
 }
 
 TEST_F(Sprites, OutputsHaveFilesOfTheirOwn) {
@@ -59,22 +58,22 @@ TEST_F(Sprites, OutputsHaveFilesOfTheirOwn) {
     EXPECT_EQ(ended.code, 1) << outputs;
     return ended.err;
   };
-  EXPECT_THAT(refused("-o a.svg -o ./a.svg"), HasSubstr("is named for two outputs"));
+  EXPECT_THAT(refused("-o a.html -o ./a.html"), HasSubstr("is named for two outputs"));
   EXPECT_THAT(refused("-o - -o -"), HasSubstr("is named for two outputs"));
   EXPECT_THAT(refused("-o in/list.json"), HasSubstr("in/list.json: error: is an input of this run"));
   EXPECT_THAT(refused("-o r.json --report r.json"), HasSubstr("is named for two outputs"));
-  EXPECT_THAT(refused("-o a.obj"), HasSubstr("can be written as one"));
+  EXPECT_THAT(refused("-o a.obj"), HasSubstr("cannot hold sprites"));
   const std::string model = (fs::path(FOREDRAW_SOURCE_DIR) / "benchmarks/corpus/static/spot.glb").string();
-  const Ended mesh = run("optimize '" + model + "' -o a.svg");
+  const Ended mesh = run("optimize '" + model + "' -o a.html");
   EXPECT_EQ(mesh.code, 1);
   EXPECT_THAT(mesh.err, HasSubstr("holds only sprites"));
 }
 
 TEST_F(Sprites, StandardOutputMayBeOneOfThem) {
-  const Ended ended = run("optimize in/list.json -p hexagons -o - -o a.svg");
+  const Ended ended = run("optimize in/list.json -p hexagons -o - -o a.html");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.out.substr(0, 4), "glTF");
-  EXPECT_TRUE(is_there("a.svg"));
+  EXPECT_TRUE(is_there("a.html"));
 }
 
 TEST_F(Sprites, OtherCommandsReadThemToo) {
@@ -97,18 +96,18 @@ TEST_F(Sprites, AFolderIsWorkedOnListByList) {
 }
 
 TEST_F(Sprites, AFoldersSpritesAreGathered) {
-  const Ended ended = run("optimize in -p hexagons -o out -o all.json -o all.png --threads 2");
+  const Ended ended = run("optimize in -p hexagons -o out -o all.json -o all.html --threads 2");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_TRUE(is_there("out/list.json"));
-  EXPECT_TRUE(is_there("all.png"));
+  EXPECT_TRUE(is_there("all.html"));
   ASSERT_EQ(json("all.json")["textures"].size(), 2u);
   EXPECT_EQ(json("all.json")["textures"][0]["frames"].size(), 2u);
   EXPECT_EQ(json("all.json")["textures"][1]["frames"][0]["filename"], "one");
   fs::create_directories(folder_ / "again");
-  ASSERT_EQ(run("optimize in -p hexagons -o again/all.png --threads 1").code, 0);
-  EXPECT_TRUE(content(folder_ / "again/all.png") == content(folder_ / "all.png"));
+  ASSERT_EQ(run("optimize in -p hexagons -o again/all.html --threads 1").code, 0);
+  EXPECT_TRUE(content(folder_ / "again/all.html") == content(folder_ / "all.html"));
   EXPECT_THAT(run("optimize in -p hexagons -o one -o two").err, HasSubstr("two: error: is a second folder"));
-  EXPECT_THAT(run("optimize in -p hexagons -o out -o in/atlas.png").err, HasSubstr("would both have this name"));
+  EXPECT_THAT(run("optimize in -p hexagons -o out -o in/list.json").err, HasSubstr("would both have this name"));
 }
 
 TEST_F(Sprites, ImagesAreSpritesOnlyToWhoWorksOnThem) {
@@ -119,7 +118,7 @@ TEST_F(Sprites, ImagesAreSpritesOnlyToWhoWorksOnThem) {
   ASSERT_EQ(run("optimize in -p weld -o out").code, 0);
   EXPECT_TRUE(is_there("out/spot.glb"));
   EXPECT_FALSE(is_there("out/list.json"));
-  EXPECT_THAT(run("optimize in -p weld -o out -o all.png").err, HasSubstr("there are none"));
+  EXPECT_THAT(run("optimize in -p weld -o out -o all.html").err, HasSubstr("there are none"));
 }
 
 TEST_F(Sprites, AFolderIsCompared) {
@@ -133,12 +132,12 @@ TEST_F(Sprites, AFolderIsCompared) {
 TEST_F(Sprites, ABadListDoesNotEndTheRun) {
   testing::put(folder_ / "in/bad.json",
                R"({"frames":{"x":{"frame":{"x":0,"y":0,"w":99,"h":1}}},"meta":{"image":"atlas.png"}})");
-  const Ended ended = run("optimize in -p hexagons -o out -o all.svg");
+  const Ended ended = run("optimize in -p hexagons -o out -o all.html");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("in/bad.json: error: x: begins"));
   EXPECT_TRUE(is_there("out/list.json"));
-  EXPECT_TRUE(is_there("all.svg"));
+  EXPECT_TRUE(is_there("all.html"));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_test

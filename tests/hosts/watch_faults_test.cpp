@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::watch_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,31 +82,6 @@ TEST_F(WatchFaults, AFolderThatGoesAwayEndsIt) {
   EXPECT_THAT(program.told(), HasSubstr("in: error: was removed or renamed while it was watched"));
 }
 
-/// Spaces of users have limits of their own.
-TEST_F(WatchFaults, LimitsOfTheSystemAreToldWithARemedy) {
-  const auto limited = [](const std::string& name, int most) {
-    return "unshare --user --map-root-user sh -c 'echo " + std::to_string(most) + " > /proc/sys/user/" + name +
-           " && exec \"$@\"' sh";
-  };
-  if (std::system(("(" + limited("max_inotify_watches", 3) + " true) 2>/dev/null").c_str()) != 0) {
-    GTEST_SKIP() << "this system gives no limits to a test";
-  }
-  put_quad("in/a.obj", 1);
-  {
-    Running program = watching(testing::quick_stages, limited("max_inotify_instances", 0));
-    EXPECT_EQ(program.ended(), 2);
-    EXPECT_THAT(program.told(), HasSubstr("fs.inotify.max_user_instances is "));
-    EXPECT_THAT(program.told(), HasSubstr("sudo sysctl fs.inotify.max_user_instances=524288"));
-  }
-  Running program = watching(testing::quick_stages, limited("max_inotify_watches", 3));
-  program.tells("1 file up to date");
-  fs::create_directories(folder_ / "in/b/c/d");
-  program.tells("fs.inotify.max_user_watches is ");
-  put_quad("in/a.obj", 2);
-  program.tells("a.obj: written", 2);
-  EXPECT_EQ(program.count("fs.inotify.max_user_watches is "), 1);
-}
-
 TEST_F(WatchFaults, WhatCanNotBeWatchedIsRefused) {
   put_quad("in/a.obj", 1);
   const auto refused = [&](const std::string& arguments) {
@@ -126,4 +101,4 @@ TEST_F(WatchFaults, WhatCanNotBeWatchedIsRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::watch_faults_test

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::watch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,4 +221,4 @@ TEST_F(Watch, ImagesThatAListNamesAreNoSprites) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::watch_test

@@ -19,7 +19,7 @@
 #include <atomic>
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::lending_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -179,4 +179,4 @@ TEST_F(LendingFiles, TheProgramReadsThemFromTheFolderOfThePipelineAndSaysWhatItR
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lending_test

@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <ctime>
 
-namespace foredraw {
+namespace foredraw::displaced_growth_test {
 namespace {
 
 using testing::ChartedTorus;
@@ -115,4 +115,4 @@ TEST(DisplacedGrowth, TakesMemoryAsSeamsAreLong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_growth_test

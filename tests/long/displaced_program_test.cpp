@@ -5,7 +5,7 @@
 
 #include <foredraw/io/gltf/gltf.h>
 
-namespace foredraw {
+namespace foredraw::displaced_program_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -33,4 +33,4 @@ TEST_F(DisplacedProgram, TakesAMapOf16384) { expect_to_go_through(20'000, 16384)
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_program_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace foredraw {
+namespace foredraw::many_views_test {
 namespace {
 
 TEST(ManyViews, rays_agree_with_the_rasteriser_within_their_errors) {
@@ -34,4 +34,4 @@ TEST(ManyViews, rays_agree_with_the_rasteriser_within_their_errors) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::many_views_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace foredraw {
+namespace foredraw::million_hairs_test {
 namespace {
 
 TEST(MillionHairs, are_found_in_bounded_memory) {
@@ -27,4 +27,4 @@ TEST(MillionHairs, are_found_in_bounded_memory) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::million_hairs_test

@@ -13,7 +13,7 @@
 
 #include <cstdio>
 
-namespace foredraw {
+namespace foredraw::ten_millions_test {
 namespace {
 
 /// A torus whose triangles come in random order, each with vertices of its own.
@@ -65,4 +65,4 @@ TEST(TenMillions, come_down_to_ten_thousand_in_bounded_memory) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::ten_millions_test

@@ -5,7 +5,7 @@
 #include "support/meshes.h"
 #include "support/program.h"
 
-namespace foredraw {
+namespace foredraw::twenty_millions_test {
 namespace {
 
 #ifdef FOREDRAW_PROGRAM
@@ -44,4 +44,4 @@ TEST_F(TwentyMillions, that_exceed_the_memory_limit_are_refused_in_a_line) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::twenty_millions_test

@@ -12,7 +12,7 @@
 #include <atomic>
 #include <thread>
 
-namespace foredraw::testing {
+namespace foredraw::testing::modules_cancel_test::cancel_test {
 namespace {
 
 class CancelModules : public InFolder {};
@@ -41,4 +41,4 @@ TEST_F(CancelModules, EndsThoseThatDoNotLook) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::modules_cancel_test::cancel_test

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::check_module_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST_F(CheckModule, FailsWhereThereIsNoModule) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::check_module_test

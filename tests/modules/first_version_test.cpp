@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::first_version_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -62,4 +62,4 @@ TEST_P(FirstVersion, HasAllThatThatVersionHad) {
 INSTANTIATE_TEST_SUITE_P(Ways, FirstVersion, ::testing::Values("apart", "inside"));
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::first_version_test

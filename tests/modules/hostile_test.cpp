@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::hostile_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -131,4 +131,4 @@ TEST_F(HostileModules, EndWithAProgramThatIsKilled) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::hostile_test

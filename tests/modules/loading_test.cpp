@@ -8,7 +8,7 @@
 
 #include <sys/stat.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::loading_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -135,4 +135,4 @@ TEST_F(Loading, SaysWhereTheWorkerIsLookedFor) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::loading_test

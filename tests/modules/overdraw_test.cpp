@@ -2,10 +2,10 @@
 #include "support/meshes.h"
 #include "support/program.h"
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/modules/draw_overdraw.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/technique/built_in_plugins.h>
-#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/registry.h>
 #include <foredraw/viewing/view_set.h>
 
@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw::testing {
+namespace foredraw::testing::overdraw_test {
 namespace {
 
 OverdrawCount drawn(const OverdrawService& service, const Draw& draw, Run& run) {
@@ -93,4 +93,4 @@ TEST_F(AskingModules, GiveTheSameBytesApartAndInside) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::overdraw_test

@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::remesher_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -118,4 +118,4 @@ TEST_F(Remeshers, ThatKeepLeaveTheDraw) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::remesher_test

@@ -17,7 +17,7 @@
 #include <map>
 #include <thread>
 
-namespace foredraw::testing {
+namespace foredraw::testing::through_c_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -133,4 +133,4 @@ TEST_F(ThroughC, WhatIsNoModuleIsToldAndTheOthersAreAdded) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::through_c_test

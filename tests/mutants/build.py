@@ -56,10 +56,29 @@ class Build:
         if not self.make("all"):
             raise SystemExit(f"mutants: the tree does not build: ninja -C {self.folder}")
         tests = json.loads(self.output("ctest", "--show-only=json-v1"))["tests"]
+        tests = [one for test in tests for one in self.cases_of(test)]
         programs = {test["command"][0] for test in tests if is_google_test(test)}
         objects = {program: sorted(self.inputs(program)) for program in sorted(programs)}
         kept.write_text(json.dumps({"commit": commit, "tests": tests, "objects": objects}))
         return tests, objects
+
+    def cases_of(self, test):
+        """The cases of the first shard of a program, which are those of all its shards, as tests; another test as it is."""
+        program, _, shard = test["name"].partition(".quick_")
+        if not shard:
+            return [test]
+        if shard != "0":
+            return []
+        listed = self.output(test["command"][0], "--gtest_list_tests", *test["command"][1:2])
+        suite, cases = "", []
+        for line in listed.splitlines():
+            if line.startswith("  "):
+                cases.append(suite + line.split("#")[0].strip())
+            else:
+                suite = line.split("#")[0].strip()
+        properties = [one for one in test.get("properties", []) if one["name"] != "ENVIRONMENT"]
+        return [dict(test, name=f"{program}.{case}", properties=properties,
+                     command=[test["command"][0], f"--gtest_filter={case}"]) for case in cases]
 
     def commands(self):
         """The compiler's command of each object, as a list."""

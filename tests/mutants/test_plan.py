@@ -29,12 +29,18 @@ class Step:
         return sum(case.usual for case in self.cases)
 
 
-def usual_times(junit):
-    """Seconds of each test in a run of the tree as it is, without those that did not pass."""
+def usual_times(files):
+    """Seconds of each test in a run of the tree as it is, without those that did not pass: by JUnit files of ctest, and by
+    those of GoogleTest, whose names are that of the program and what follows a dot."""
     times = {}
-    for case in xml.parse(junit).getroot().iter("testcase"):
-        if case.get("status") == "run" and case.find("failure") is None:
-            times[case.get("name")] = float(case.get("time"))
+    for file in map(Path, files):
+        root = xml.parse(file).getroot()
+        for case in root.iter("testcase"):
+            is_case = root.tag == "testsuites"
+            name = f"{file.name.split('.')[0]}.{case.get('classname')}.{case.get('name')}" if is_case else case.get("name")
+            ran = case.get("result", "completed") == "completed" and case.find("skipped") is None
+            if case.get("status") == "run" and ran and case.find("failure") is None:
+                times[name] = float(case.get("time"))
     return times
 
 

@@ -20,7 +20,7 @@
 #include <numeric>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::product_test {
 namespace {
 
 using testing::Landmarks;
@@ -310,4 +310,4 @@ TEST_F(ProductProgram, WritesKindsAndSaysWhichWhereSeveralFit) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::product_test

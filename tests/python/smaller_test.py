@@ -82,16 +82,6 @@ class Simplify(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "another mesh"):
             fd.level_attributes(INDICES[:2], BUMPS[:30], collapses, 0, [(ramp[:30], 1)])
 
-    def test_by_energy(self):
-        places, indices = sheet(5)
-        bumps = places.astype(np.float32).copy()
-        bumps[:, 2] += np.arange(len(bumps)) * 7 % 11 * 0.3
-        collapses = fd.energy_collapse(indices, bumps, least=20, samples=2)
-        few = fd.simplify(indices, bumps, collapses, triangles_left=30)
-        self.assertLessEqual(len(few.indices), 30)
-        with self.assertRaisesRegex(ValueError, "samples=101"):
-            fd.energy_collapse(indices, bumps, samples=101)
-
     def test_what_is_wrong_is_told(self):
         collapses = fd.quadric_collapse(INDICES, BUMPS)
         with self.assertRaisesRegex(ValueError, "another mesh"):

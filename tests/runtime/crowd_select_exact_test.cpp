@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw::testing {
+namespace foredraw::testing::crowd_select_exact_test {
 namespace {
 
 /// The least sum of squares within the budget, by trying all.
@@ -199,4 +199,4 @@ TEST(CrowdBudget, DoesNotHoldByThePapersFormula) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::crowd_select_exact_test

@@ -14,7 +14,7 @@ static float random_number(void) { /* -1 to 1 */
 
 static double farther(double a, double b) { return a > b ? a : b; }
 
-int main(void) {
+int displaced_cage_test(void) {
   double worst = 0;
   int i, j, r, c;
   for (i = 0; i < 10000; ++i) {

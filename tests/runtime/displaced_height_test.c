@@ -169,7 +169,7 @@ static void heights(void) {
   CHECK(foredraw_height_sum(&map, 0, 0) == 0);
 }
 
-int main(void) {
+int displaced_height_test(void) {
   places();
   weights();
   between();

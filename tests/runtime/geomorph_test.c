@@ -15,7 +15,7 @@ static void expect(int holds, const char* what) {
 
 static int same_bits(const float* a, const float* b, size_t count) { return memcmp(a, b, count * sizeof *a) == 0; }
 
-int main(void) {
+int geomorph_test(void) {
   static const float fine[6] = {0.1f, -0.0f, 1e30f, 3.0f, 1.0f, 16777216.0f};
   static const float coarse[6] = {0.3f, 0.0f, -1e-30f, 3.0f, -0.0f, 16777217.5f};
   static const float along_x[3] = {1, 0, 0}, along_y[3] = {0, 1, 0}, back[3] = {-1, 0, 0};

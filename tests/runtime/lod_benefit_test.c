@@ -71,7 +71,7 @@ static void renderings_and_levels(void) {
   CHECK(chosen_of(10000, 1000, 0.2f, 3000) == 2);     /* the coarser level in full */
 }
 
-int main(void) {
+int lod_benefit_test(void) {
   costs();
   factors();
   whole_numbers();

@@ -3,6 +3,7 @@
 
 #include <foredraw/runtime/lod_benefit.h>
 #include <foredraw/runtime/lod_methods.h>
+#include <foredraw/runtime/lod_select.h>
 
 #include <stdlib.h>
 
@@ -193,7 +194,7 @@ static void sizes(void) {
   CHECK(foredraw_lod_by_size(triangles, 3, 5, (float)NAN) == 0);
 }
 
-int main(void) {
+int lod_hostile_test(void) {
   no_numbers();
   factors_of_no_numbers();
   no_ways_and_one();

@@ -206,7 +206,7 @@ static void before_the_hull(void) {
   CHECK(switches == 0 && wrong_switches == 9);
 }
 
-int main(void) {
+int lod_hysteresis_test(void) {
   jitter();
   approach();
   before_the_hull();

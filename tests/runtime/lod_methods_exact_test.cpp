@@ -2,11 +2,11 @@
 
 #include "runtime/lod_instances.h"
 
-#include <foredraw/runtime/lod_methods.h>
+#include <benchmarks/lod_select/lod_methods.h>
 
 #include <gtest/gtest.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::lod_methods_exact_test {
 namespace {
 
 Choice by_value(const std::vector<Ways>& objects, std::uint64_t budget) {
@@ -197,4 +197,4 @@ TEST(LodMethods, ObjectsWithoutWaysAndChoicesThatAreGone) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::lod_methods_exact_test

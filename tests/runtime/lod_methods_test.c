@@ -1,6 +1,7 @@
 /* The ways of choosing that lod_select.h is compared with. */
 #include "check.h"
 
+#include <benchmarks/lod_select/lod_methods.h>
 #include <foredraw/runtime/lod_methods.h>
 
 #include <stdlib.h>
@@ -110,7 +111,7 @@ static void at_the_ends(void) {
   CHECK(foredraw_lod_by_value(&none, 1, chosen, memory).cost == 0);
 }
 
-int main(void) {
+int lod_methods_test(void) {
   by_size_and_feedback();
   beside_each_other();
   at_the_ends();

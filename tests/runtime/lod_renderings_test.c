@@ -126,7 +126,7 @@ static void crowds(void) {
   CHECK(foredraw_lod_cost(1e6f * 16000) == 2147483647u); /* a million characters are dear, and do not wrap around */
 }
 
-int main(void) {
+int lod_renderings_test(void) {
   bound_by_pixels();
   bound_by_triangles();
   bound_by_both();

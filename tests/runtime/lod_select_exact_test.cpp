@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-namespace foredraw::testing {
+namespace foredraw::testing::lod_select_exact_test {
 namespace {
 
 /// What holds of every choice. `best` is the most benefit within the budget.
@@ -207,4 +207,4 @@ TEST(LodSelectExact, ObjectsWithoutWaysAreNotDrawn) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::lod_select_exact_test

@@ -222,7 +222,7 @@ static void many_objects(void) {
   free(memory);
 }
 
-int main(void) {
+int lod_select_test(void) {
   beside_the_best();
   at_the_ends();
   by_the_hull();

@@ -158,7 +158,7 @@ static void odd_rows(void) {
   CHECK(bits(draw.hulls[5]) == 0 && foredraw_lod_table_ways(&by_max, &draw, 100, 1, ways, numbers) == 0);
 }
 
-int main(void) {
+int lod_table_test(void) {
   octaves();
   ways_by_hand();
   hulls_by_size();

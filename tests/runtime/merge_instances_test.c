@@ -12,7 +12,7 @@ static void expect(uint32_t found, uint32_t wanted, const char* what) {
   ++failures;
 }
 
-int main(void) {
+int merge_instances_test(void) {
   static const uint32_t indices[] = {
       0, 1, 2, 2, 2, 2,                   /* a triangle, and padding */
       3, 4, 5, 5, 4, 6, 6, 4, 7, 7, 4, 3, /* four of them: two slots */

@@ -12,7 +12,7 @@ static void expect(uint32_t found, uint32_t wanted, const char* what) {
   ++failures;
 }
 
-int main(void) {
+int order_table_test(void) {
   static const uint32_t keyframes[] = {2, 1};
   static const float times[] = {0, 1, 0};
   static const uint8_t order[] = {

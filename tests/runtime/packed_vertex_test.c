@@ -133,7 +133,7 @@ static void any_bits_are_a_vertex(int is_spherical) {
   }
 }
 
-int main(void) {
+int packed_vertex_test(void) {
   refuses_what_is_no_layout();
   positions_are_the_nearest_of_the_lattice();
   says_what_does_not_fit();

@@ -13,7 +13,7 @@ static void expect(int holds, const char* what) {
   ++failures;
 }
 
-int main(void) {
+int progressive_mesh_test(void) {
   static const foredraw_split splits[2] = {{3, 1, 0, 0.5f}, {4, 2, 1, 0.0f}};
   static const foredraw_patch patches[1] = {{2, 3, 0}};
   uint32_t indices[6] = {0, 1, 3, 1, 2, 3};

@@ -94,7 +94,7 @@ static void numbers_come_back(void) {
          "floats are not in order");
 }
 
-int main(void) {
+int progressive_stream_test(void) {
   static uint32_t memory[1 << 18];
   static uint8_t bytes[4096], again[4096];
   foredraw_stream_header header;

@@ -3,7 +3,7 @@
 
 #include "check.h"
 
-int main(void) {
+int seam_table_test(void) {
   static const uint16_t heights[4] = {1000, 3000, 2000, 65535};
   static const uint32_t firsts[3] = {0, 3, 3}, ends[2] = {0, 65535}, turned[2] = {65535, 0};
   static const uint8_t parts_log2[3] = {2, 0, 1};

@@ -25,7 +25,7 @@ static int nothing(const void* context, const foredraw_refine_mesh* mesh, uint32
   return !everything(context, mesh, split);
 }
 
-int main(void) {
+int selective_refine_test(void) {
   /* Triangle 0 1 2; split 0 adds vertex 3 beside 2, split 1 adds vertex 4 beside 3. */
   static const foredraw_split splits[3] = {{3, 1, 0, 0.5f}, {4, 2, 1, 0.25f}, {5, 3, 2, 0.0f}};
   static const foredraw_patch patches[2] = {{2, 3, 2}, {2, 4, 3}};

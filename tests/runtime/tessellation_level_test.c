@@ -93,7 +93,7 @@ static void whole_levels_stay(void) {
   }
 }
 
-int main(void) {
+int tessellation_level_test(void) {
   levels_are_the_papers();
   nothing_divides_by_nothing();
   the_papers_bound_breaks();

@@ -2,7 +2,7 @@
 
 #include "check.h"
 
-int main(void) {
+int tessellation_scale_test(void) {
   const foredraw_tessellation_scale table[3] = {{960, 0.25f, 1.0f}, {240, 0.5f, 1.0f}, {40, 2.0f, 3.0f}};
   uint32_t s;
   /* By the error. */

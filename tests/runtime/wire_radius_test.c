@@ -212,7 +212,7 @@ static void check_ends(void) {
   CHECK(foredraw_wire_drawn((float)NAN, 0.4f) != 0.4f);
 }
 
-int main(void) {
+int wire_radius_test(void) {
   check_widths();
   check_pixel_scale();
   check_long_segment();

@@ -124,7 +124,7 @@ static void check_light(void) {
   CHECK(foredraw_wire_dot(normal, normal) < 4.1f);
 }
 
-int main(void) {
+int wire_shapes_test(void) {
   check_flat();
   check_depth();
   check_light();

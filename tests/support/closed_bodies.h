@@ -42,7 +42,7 @@ inline TestMesh closed_cylinder(std::uint32_t slices, float radius, float half_h
   return turned_body({{0, -half_height}, {radius, -half_height}, {radius, half_height}, {0, half_height}}, slices);
 }
 
-inline TestMesh closed_torus(std::uint32_t slices, std::uint32_t sides, float radius = 1, float tube = 0.4f) {
+inline TestMesh closed_torus(std::uint32_t slices, std::uint32_t sides, float radius, float tube) {
   TestMesh mesh;
   for (std::uint32_t i = 0; i < slices; ++i) {
     for (std::uint32_t j = 0; j < sides; ++j) {

@@ -30,7 +30,7 @@ inline const LodTable& table_of(const Scene& scene) {
   return *table;
 }
 
-inline std::vector<std::byte> written(const Scene& scene) {
+inline std::vector<std::byte> written_with_table(const Scene& scene) {
   Diagnostics diagnostics;
   const auto files = encode_gltf(scene, "out.glb", diagnostics, {.products = {lod_table_product()}});
   if (!files || diagnostics.has_errors()) throw std::runtime_error(to_text(diagnostics));

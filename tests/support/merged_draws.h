@@ -2,7 +2,7 @@
 // Merged draws put together in the plainest way, for tests of who writes, reads or counts them: no slot is shared out
 // with care.
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/scene.h>
 
 #include <vector>

@@ -6,14 +6,14 @@
 #include "support/merged_draws.h"
 
 #include <foredraw/base/random.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <array>
 #include <cstring>
 
 namespace foredraw::testing {
 
-inline constexpr const char* merge_instances = "FOREDRAW_merge_instances";
+inline constexpr const char* merge_instances_extension = "FOREDRAW_merge_instances";
 
 /// How the attributes lie in the file.
 enum class Lay {

@@ -3,7 +3,7 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 #include <plugins/processors/vertex_pack/layout_search.h>
 #include <plugins/processors/vertex_pack/vertex_pack.h>
 
@@ -54,22 +54,22 @@ struct FloatVertices {
   }
 };
 
-inline packing::Demand unit_demand(bool is_spherical = false) {
-  packing::Demand demand{.normals = true,
-                         .tangents = true,
-                         .uvs = true,
-                         .uv_extent = glm::dvec2(1),
-                         .displacement = 0.002,
-                         .slope = 0.2,
-                         .most_angle_error = 0.065,
-                         .is_spherical = is_spherical};
+inline processors::vertex_pack::Demand unit_demand(bool is_spherical = false) {
+  processors::vertex_pack::Demand demand{.normals = true,
+                                         .tangents = true,
+                                         .uvs = true,
+                                         .uv_extent = glm::dvec2(1),
+                                         .displacement = 0.002,
+                                         .slope = 0.2,
+                                         .most_angle_error = 0.065,
+                                         .is_spherical = is_spherical};
   demand.box.add({0, 0, 0});
   demand.box.add({1, 1, 1});
   return demand;
 }
 
 inline PackedLayout unit_layout(bool is_spherical = false) {
-  return packing::best_layout(unit_demand(is_spherical)).value();
+  return processors::vertex_pack::best_layout(unit_demand(is_spherical)).value();
 }
 
 inline double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {

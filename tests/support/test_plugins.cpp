@@ -1,6 +1,7 @@
 #include "support/test_plugins.h"
 
 #include <foredraw/draw_orders/draw_orders_product.h>
+#include <foredraw/measuring/overdraw_service.h>
 
 #include <algorithm>
 #include <numeric>

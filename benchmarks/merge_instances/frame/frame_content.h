@@ -2,7 +2,7 @@
 // What a frame of a scene consists of, in one of the ways in which engines draw many placed primitives: its buffers and
 // its calls. Nothing here needs a device.
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include "placed_draws.h"
 

@@ -1,6 +1,6 @@
 #include "frame_shaders.h"
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <plugins/processors/merge_instances/merged_shader.h>
 
 namespace foredraw::bench {

@@ -1,6 +1,6 @@
 #include "content_parts.h"
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Everything that a scene shows, one by one.
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/scene.h>
 
 #include <glm/mat4x4.hpp>

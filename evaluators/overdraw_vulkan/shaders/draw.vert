@@ -4,7 +4,6 @@
 layout(push_constant) uniform Draw {
   mat4 clip_from_position;
   uint owner;
-  uint counter;
 };
 
 layout(location = 0) in vec3 position;

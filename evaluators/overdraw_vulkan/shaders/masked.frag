@@ -7,7 +7,6 @@ layout(constant_id = 0) const bool is_heavy = false;
 layout(push_constant) uniform Draw {
   mat4 clip_from_position;
   uint owner;
-  uint counter;
   uint first_texel;
   uint width;  // 0: alpha is 1 everywhere
   uint height;
@@ -17,7 +16,7 @@ layout(push_constant) uniform Draw {
   float cutoff;
 };
 
-layout(set = 1, binding = 0) readonly buffer Texels { uint alpha[]; };
+layout(set = 0, binding = 0) readonly buffer Texels { uint alpha[]; };
 
 layout(location = 0) in vec3 at;
 

@@ -6,7 +6,6 @@ layout(early_fragment_tests) in;
 layout(push_constant) uniform Draw {
   mat4 clip_from_position;
   uint owner;
-  uint counter;
 };
 
 layout(location = 0) out uint written;

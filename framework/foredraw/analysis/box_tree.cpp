@@ -23,7 +23,7 @@ class BoxTreeBuilder {
       : tree_(tree), most_in_leaf_(most_in_leaf) {
     leaves_.reserve(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      leaves_.push_back({boxes[i], 0.5f * boxes[i].low + 0.5f * boxes[i].high, i});
+      leaves_.push_back({boxes[i], 0.5f * boxes[i].min + 0.5f * boxes[i].max, i});
     }
     if (leaves_.empty()) return;
     tree_.nodes.reserve(leaves_.size() / (2 * most_in_leaf_) + 1);
@@ -74,15 +74,15 @@ class BoxTreeBuilder {
       node.first[c] = first;
       node.count[c] = is_leaf ? static_cast<std::uint32_t>(child.count()) : 0;
       for (int axis = 0; axis < 3; ++axis) {
-        node.planes[0][axis][c] = child.box.low[axis];
-        node.planes[1][axis][c] = child.box.high[axis];
+        node.planes[0][axis][c] = child.box.min[axis];
+        node.planes[1][axis][c] = child.box.max[axis];
       }
     }
     return number;
   }
 
   /// What is no leaf yet is opened first where rays are likeliest.
-  double area(const Range& range) const { return range.count() <= most_in_leaf_ ? -1 : range.box.half_area(); }
+  double area(const Range& range) const { return range.count() <= most_in_leaf_ ? -1 : half_area(range.box); }
 
   Box middles(const Range& range) const {
     Box box;
@@ -91,7 +91,7 @@ class BoxTreeBuilder {
   }
 
   static int longest_axis(const Box& box) {
-    const glm::vec3 size = box.high - box.low;
+    const glm::vec3 size = box.max - box.min;
     return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   }
 
@@ -100,10 +100,10 @@ class BoxTreeBuilder {
   std::size_t part_by_area(const Range& range) {
     const Box at = middles(range);
     const int axis = longest_axis(at);
-    const float scale = static_cast<float>(box_bins) / (at.high[axis] - at.low[axis]);
+    const float scale = static_cast<float>(box_bins) / (at.max[axis] - at.min[axis]);
     if (!std::isfinite(scale)) return halve(range);
     const auto bin_of = [&](const Leaf& leaf) {
-      return std::min(box_bins - 1, static_cast<std::size_t>((leaf.middle[axis] - at.low[axis]) * scale));
+      return std::min(box_bins - 1, static_cast<std::size_t>((leaf.middle[axis] - at.min[axis]) * scale));
     };
     std::array<Box, box_bins> boxes;
     std::array<std::size_t, box_bins> counts{};
@@ -118,7 +118,7 @@ class BoxTreeBuilder {
     for (std::size_t bin = box_bins; bin-- > 1;) {
       box.add(boxes[bin]);
       count += counts[bin];
-      behind[bin] = box.half_area() * static_cast<double>(count);
+      behind[bin] = half_area(box) * static_cast<double>(count);
     }
     box = {};
     count = 0;
@@ -127,7 +127,7 @@ class BoxTreeBuilder {
     for (std::size_t bin = 1; bin < box_bins; ++bin) {
       box.add(boxes[bin - 1]);
       count += counts[bin - 1];
-      const double cost = box.half_area() * static_cast<double>(count) + behind[bin];
+      const double cost = half_area(box) * static_cast<double>(count) + behind[bin];
       if (count == 0 || count == range.count() || cost >= least) continue;
       least = cost;
       best = bin;

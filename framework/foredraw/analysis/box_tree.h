@@ -1,13 +1,13 @@
 #pragma once
 // A tree of boxes, four side by side, that searches for triangles descend.
 
-#include <glm/common.hpp>
+#include <foredraw/geometry/box.h>
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,23 +28,7 @@ struct BoxTree {
   /// less than 64 nodes deep.
   static constexpr std::size_t most_waiting = (width - 1) * 64;
 
-  struct Box {
-    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity());
-    glm::vec3 high = -low;
-
-    void add(const glm::vec3& point) {
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    void add(const Box& box) {
-      low = glm::min(low, box.low);
-      high = glm::max(high, box.high);
-    }
-    double half_area() const {
-      const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
-      return size.x < 0 ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
-    }
-  };
+  using Box = foredraw::Box<glm::vec3>;
 
   /// Its children side by side: inner nodes, and leaves.
   struct Node {
@@ -56,6 +40,12 @@ struct BoxTree {
   std::vector<Node> nodes;           ///< the first one is the root; none where there are no boxes
   std::vector<std::uint32_t> order;  ///< [place] = number of the box
 };
+
+/// Half the area of its surface; 0 if it is empty.
+inline double half_area(const BoxTree::Box& box) {
+  const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return size.x < 0 ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 /// The tree of these finite boxes. O(n log n); the same on every machine.
 BoxTree box_tree(std::span<const BoxTree::Box> boxes, std::size_t most_in_leaf);

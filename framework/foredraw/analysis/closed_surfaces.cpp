@@ -1,9 +1,10 @@
 #include <foredraw/analysis/closed_surfaces.h>
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace foredraw {
@@ -11,7 +12,7 @@ namespace foredraw {
 std::vector<bool> closed_outwards(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
   const std::size_t triangles = indices.size() / 3;
   for (const glm::vec3& p : positions) {  // what is not finite has no order
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return std::vector<bool>(triangles, false);
+    if (!is_finite(p)) return std::vector<bool>(triangles, false);
   }
   const std::vector<std::uint32_t> at = welded(positions);
   JoinedSets components(positions.size());

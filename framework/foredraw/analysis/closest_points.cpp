@@ -1,6 +1,7 @@
 #include <foredraw/analysis/closest_points.h>
 
 #include <foredraw/analysis/part_boxes.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/geometric.hpp>
 
@@ -54,11 +55,6 @@ TriangleCorners in_doubles(const std::array<glm::vec3, 3>& t) {
   return {glm::dvec3(t[0]), glm::dvec3(t[1]), glm::dvec3(t[2])};
 }
 
-bool has_numbers(const std::array<glm::vec3, 3>& corners) {
-  return std::ranges::all_of(
-      corners, [](const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
-}
-
 /// A point as boxes are tested with it: in floats, a little below and a little above, so that no box seems farther than
 /// it is.
 struct PointAmongBoxes {
@@ -105,7 +101,7 @@ ClosestPoints::ClosestPoints(const Surface& surface) {
   triangles_.resize(surface.indices.size() / 3);
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     for (std::size_t c = 0; c < 3; ++c) triangles_[t][c] = surface.positions[surface.indices[3 * t + c]];
-    if (!has_numbers(triangles_[t])) continue;
+    if (!is_finite(triangles_[t])) continue;
     finite.push_back(t);
     for (const glm::vec3& corner : triangles_[t]) {
       for (int axis = 0; axis < 3; ++axis) extent_ = std::max<double>(extent_, std::abs(corner[axis]));
@@ -170,7 +166,7 @@ Closest ClosestPoints::nearest(const glm::dvec3& point, std::uint32_t hint) cons
     const double scaled = squared * (scale_ * scale_ * (1 + 0x1p-20)) + std::numeric_limits<float>::min();
     limit = scaled < static_cast<double>(farthest) ? static_cast<float>(scaled) : farthest;
   };
-  if (hint < triangles_.size() && has_numbers(triangles_[hint])) try_triangle(hint);
+  if (hint < triangles_.size() && is_finite(triangles_[hint])) try_triangle(hint);
 
   struct Waiting {
     std::uint32_t first, is_leaf;

@@ -1,5 +1,7 @@
 #include <foredraw/analysis/crossing_triangles.h>
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -40,11 +42,6 @@ bool goes_through(const Corners& edges, const Corners& of) {
 
 bool has_common_corner(const Corners& a, const Corners& b) {
   return std::ranges::any_of(a, [&](const glm::vec3& p) { return std::ranges::find(b, p) != b.end(); });
-}
-
-bool is_finite(const Corners& corners) {
-  return std::ranges::all_of(
-      corners, [](const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
 }
 
 /// Where so many triangles lie in the box of one, and it crosses none of them, they lie on each other.
@@ -98,8 +95,7 @@ class Crossings {
  private:
   static bool overlap(const BoxTree::Box& box, const BoxTree::Node& node, std::size_t child) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(node.planes[0][axis][child] <= box.high[axis] && node.planes[1][axis][child] >= box.low[axis]))
-        return false;
+      if (!(node.planes[0][axis][child] <= box.max[axis] && node.planes[1][axis][child] >= box.min[axis])) return false;
     }
     return true;
   }

@@ -1,5 +1,7 @@
 #include <foredraw/analysis/diagonal.h>
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/common.hpp>
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace foredraw {
 double diagonal_of(std::span<const glm::vec3> positions) {
   glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
   for (const glm::vec3& p : positions) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    if (!is_finite(p)) continue;
     least = glm::min(least, glm::dvec3(p));
     most = glm::max(most, glm::dvec3(p));
   }

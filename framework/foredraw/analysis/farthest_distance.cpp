@@ -1,6 +1,7 @@
 #include <foredraw/analysis/farthest_distance.h>
 
 #include <foredraw/analysis/piece_proof.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,12 @@ class FarthestSearch {
     double extent = to.extent();
     for (std::uint32_t i = 0; i + 3 <= of.indices.size(); i += 3) {
       double most = 0;
-      bool is_finite = true;
+      bool has_numbers = true;
       for (const glm::dvec3& p : corners_at(i)) {
-        is_finite = is_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+        has_numbers = has_numbers && is_finite(p);
         most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
       }
-      if (!is_finite) continue;
+      if (!has_numbers) continue;
       starts_.push_back(i);
       extent = std::max(extent, most);
     }

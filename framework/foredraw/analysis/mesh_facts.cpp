@@ -1,8 +1,9 @@
 #include <foredraw/analysis/mesh_facts.h>
 
+#include <foredraw/geometry/finite.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -81,10 +82,6 @@ bool has_repeated_corners(const Corners& corners) {
 
 }  // namespace
 
-bool is_finite(const glm::vec3& position) {
-  return std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z);
-}
-
 bool are_collinear(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   // The shadow on each coordinate plane has no area. Products of two floats are exact in doubles.
   const auto has_no_shadow = [&](int x, int y) {
@@ -98,8 +95,8 @@ MeshFacts mesh_facts(std::span<const glm::vec3> positions, std::span<const std::
   MeshFacts facts;
   facts.triangles = indices.size() / 3;
   facts.vertices = positions.size();
-  facts.non_finite_positions =
-      static_cast<std::size_t>(std::count_if(positions.begin(), positions.end(), std::not_fn(is_finite)));
+  facts.non_finite_positions = static_cast<std::size_t>(
+      std::count_if(positions.begin(), positions.end(), [](const glm::vec3& p) { return !is_finite(p); }));
 
   std::vector<char> is_referenced(positions.size(), 0);
   for (std::size_t t = 0; t < facts.triangles; ++t) {

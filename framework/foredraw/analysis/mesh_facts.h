@@ -32,7 +32,4 @@ std::vector<std::pair<std::string_view, std::size_t>> named_counts(const MeshFac
 /// Whether the points lie on one line, exactly. Finite coordinates.
 bool are_collinear(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
-/// Whether every coordinate is a number.
-bool is_finite(const glm::vec3& position);
-
 }  // namespace foredraw

@@ -1,5 +1,7 @@
 #include <foredraw/analysis/ray_tree.h>
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -56,8 +58,6 @@ struct RayPastBoxes {
 
 constexpr std::size_t most_in_ray_leaf = 4;
 
-bool is_all_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 }  // namespace
 
 RayTree::RayTree(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
@@ -68,7 +68,7 @@ RayTree::RayTree(std::span<const glm::vec3> positions, std::span<const std::uint
     if (blocks[t] == Blocks::neither) continue;
     Triangle triangle{{}, static_cast<std::uint32_t>(t), blocks[t]};
     for (std::size_t c = 0; c < 3; ++c) triangle.corners[c] = positions[indices[3 * t + c]];
-    if (!std::ranges::all_of(triangle.corners, is_all_finite)) continue;
+    if (!std::ranges::all_of(triangle.corners, [](const glm::vec3& corner) { return is_finite(corner); })) continue;
     triangles.push_back(triangle);
     BoxTree::Box& box = boxes.emplace_back();
     for (const glm::vec3& corner : triangle.corners) box.add(corner);

@@ -1,9 +1,9 @@
 #include <foredraw/analysis/seam_edges.h>
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -17,9 +17,6 @@ namespace {
 bool is_cancelled(const std::atomic<bool>* cancel) {
   return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
-
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-bool is_finite(const glm::vec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// Of the smaller point's: where it leads, and the number of its first corner among those of all meshes.
 struct HalfEdge {

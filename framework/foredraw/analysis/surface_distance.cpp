@@ -1,9 +1,9 @@
 #include <foredraw/analysis/surface_distance.h>
 
 #include <foredraw/base/random.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -17,11 +17,7 @@ std::vector<glm::dvec3> used_vertices(const Surface& surface) {
   std::vector<glm::dvec3> points;
   for (std::size_t i = 0; i + 3 <= surface.indices.size(); i += 3) {
     const auto corners = surface.indices.subspan(i, 3);
-    const bool is_finite = std::ranges::all_of(corners, [&](std::uint32_t v) {
-      const glm::vec3& p = surface.positions[v];
-      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
-    if (!is_finite) continue;
+    if (!std::ranges::all_of(corners, [&](std::uint32_t v) { return is_finite(surface.positions[v]); })) continue;
     for (const std::uint32_t v : corners) {
       if (!is_used[v]) points.emplace_back(surface.positions[v]);
       is_used[v] = true;

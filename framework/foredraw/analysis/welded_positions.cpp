@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
 #include <utility>
 
 namespace foredraw {
@@ -23,19 +22,6 @@ std::vector<std::uint32_t> welded(std::span<const glm::vec3> positions) {
     first[vertex] = i > 0 && key == order[i - 1].first ? first[order[i - 1].second] : vertex;
   }
   return first;
-}
-
-JoinedSets::JoinedSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-std::uint32_t JoinedSets::of(std::uint32_t one) {
-  while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
-  return one;
-}
-
-void JoinedSets::join(std::uint32_t a, std::uint32_t b) {
-  a = of(a);
-  b = of(b);
-  parent_[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace foredraw

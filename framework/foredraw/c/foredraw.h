@@ -86,8 +86,20 @@ int foredraw_read(foredraw_context* context, const char* path, foredraw_scene** 
 int foredraw_read_memory(foredraw_context* context, const void* bytes, uint64_t size, const char* name,
                          foredraw_scene** scene, foredraw_text* problems);
 
-/* Writes it, the extension says as what: all its files or none. */
+/* Writes it, the extension says as what: all its files or none. A scene that a pipeline made is written as the
+ * pipeline's [output] says, so that the bytes are those of the program. */
 int foredraw_write(foredraw_context* context, const foredraw_scene* scene, const char* path, foredraw_text* problems);
+
+/* The same with settings instead of [output], "compression=draco, levels=msft-lod": names, values and errors are those
+ * of [output] (docs/reference/pipelines.md). What is not named is as foredraw_write() has it. NULL: nothing is named.
+ * FOREDRAW_MISTAKE where a setting is wrong. */
+int foredraw_write_as(foredraw_context* context, const foredraw_scene* scene, const char* path, const char* settings,
+                      foredraw_text* problems);
+
+/* The bytes of the file that foredraw_write_as() would write to the path `name`, to be freed by foredraw_text_free().
+ * FOREDRAW_FAILED where the scene takes several files, as .gltf does. */
+int foredraw_write_memory(foredraw_context* context, const foredraw_scene* scene, const char* name,
+                          const char* settings, foredraw_text* file, foredraw_text* problems);
 
 /* A scene of draws in memory, which is copied. */
 int foredraw_make_scene(foredraw_context* context, const foredraw_draw* draws, uint64_t draw_count,

@@ -61,14 +61,6 @@ int foredraw_quadric_collapse(foredraw_collapses* sequence, const foredraw_trian
                               const foredraw_positions* positions, const foredraw_weighted_attribute* attributes,
                               uint32_t attribute_count, uint32_t least);
 
-/* The same by the energy of what is left: the place of each point is fitted to `samples` points a triangle of the
- * original, 1 to 100 (0: 8), which `seed` chooses. Far slower, about a millisecond an edge. A difference of 1 in an
- * attribute times its weight is large. sequence->places is not NULL; sequence->solves becomes 0. Hoppe: Progressive
- * Meshes, SIGGRAPH 1996, section 4. */
-int foredraw_energy_collapse(foredraw_collapses* sequence, const foredraw_triangles* triangles,
-                             const foredraw_positions* positions, const foredraw_weighted_attribute* attributes,
-                             uint32_t attribute_count, uint32_t least, uint32_t samples, uint64_t seed);
-
 typedef struct foredraw_simplified {
   uint64_t index_count; /* that are left */
   uint32_t collapses;   /* of the sequence, that were done */

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <tuple>
 
 namespace foredraw {
 
@@ -75,17 +74,6 @@ fs::path path_of(const Json& json, const fs::path& folder) {
   return json.at("from").get<std::string>() == own ? folder / path : path;
 }
 
-FileRead file_in(const Json& json, const fs::path& folder) {
-  FileRead file{path_of(json, folder), FileRead::Found::there, 0, 0, {}};
-  if (json.value("missing", false)) file.found = FileRead::Found::missing;
-  if (!json.contains("stamp")) return file;
-  file.found = FileRead::Found::content;
-  file.at_most = json.at("at-most").get<std::uint64_t>();
-  file.bytes = json.at("bytes").get<std::uint64_t>();
-  file.stamp = stamp_in(json.at("stamp").get<std::string>()).value_or(Stamp{});
-  return file;
-}
-
 /// Whether two reads of one file saw the same.
 bool agree(const std::vector<FileRead>& files) {
   for (std::size_t i = 1; i < files.size(); ++i) {
@@ -115,10 +103,9 @@ std::optional<FoundResult> found_by(const Stamp& key, const Cache& cache, const 
       const Stamp entry_key = stamp_in(list.at("entry").get<std::string>()).value_or(Stamp{});
       auto entry = cache.find(entry_key, damaged);
       if (!entry) return std::nullopt;
-      FoundResult found{entry_key, std::move(*entry), {work.input}, {}, {}};
+      FoundResult found{entry_key, std::move(*entry), {work.input}, {}};
       for (const Json& file : list.at("read")) {
         (file.contains("stamp") ? found.read : found.sought).push_back(path_of(file, folder));
-        if (file.at("from").get<std::string>() == own) found.own.push_back(file_in(file, folder));
       }
       return found;
     }
@@ -135,29 +122,6 @@ std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Dia
   if (!input) return std::nullopt;
   auto found = found_by(key_of_lists(work, input->stamp, false), cache, work, damaged);
   return found ? std::move(found) : found_by(key_of_lists(work, input->stamp, true), cache, work, damaged);
-}
-
-std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, const Stamp& input,
-                                          Diagnostics& damaged) {
-  for (std::size_t number = works.size(); number > 0; --number) {
-    const Work& work = works[number - 1];
-    auto found = found_by(key_of_lists(work, input, false), cache, work, damaged);
-    if (found) return FoundLast{number - 1, std::move(*found)};
-  }
-  return std::nullopt;
-}
-
-std::vector<FileRead> joined(std::vector<FileRead> files, const std::vector<FileRead>& others) {
-  const auto key_of = [](const FileRead& file) {
-    return std::tie(file.path.native(), file.found, file.at_most, file.bytes, file.stamp);
-  };
-  files.insert(files.end(), others.begin(), others.end());
-  std::ranges::sort(files, [&](const FileRead& a, const FileRead& b) { return key_of(a) < key_of(b); });
-  const auto is_told = [&](const FileRead& a, const FileRead& b) {
-    return a.path.native() == b.path.native() && (b.found == FileRead::Found::there || key_of(a) == key_of(b));
-  };
-  files.erase(std::unique(files.begin(), files.end(), is_told), files.end());
-  return files;
 }
 
 std::string keep_result(const Cache& cache, const Work& work, const WorkRead& read, bool depends_on_place,

@@ -29,23 +29,10 @@ struct FoundResult {
   Cache::Entry entry;
   std::vector<std::filesystem::path> read;    ///< the files that it was made from, the input first
   std::vector<std::filesystem::path> sought;  ///< that were only looked for, there or not
-  std::vector<FileRead> own = {};             ///< WorkRead::own of who made it, but the input
 };
 
 /// Nothing where there is none, or a file can not be read.
 std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Diagnostics& damaged);
-
-struct FoundLast {
-  std::size_t number = 0;  ///< of the work
-  FoundResult result;
-};
-
-/// The last of these works, all on an input of that content, that has a result whose place does not count.
-std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, const Stamp& input,
-                                          Diagnostics& damaged);
-
-/// Of both together what FilesRead::all() would say.
-std::vector<FileRead> joined(std::vector<FileRead> files, const std::vector<FileRead>& others);
 
 /// Why it could not be kept; empty: it is. What was read from files that changed meanwhile is not kept, without a word.
 /// `depends_on_place`: whether Work::place counts.

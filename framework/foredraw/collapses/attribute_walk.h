@@ -1,8 +1,8 @@
 #pragma once
 // A sequence of collapses, run for who carries along what vertices carry.
 
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/wedge_shares.h>
-#include <foredraw/scene/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

@@ -18,15 +18,10 @@ using Members = ExtensionValue::Members;
 
 template <class T>
 bool read_rows(ExtensionReader& from, const ExtensionValue& of, const char* name, Component component,
-               std::uint8_t components, std::vector<T>& to) {
-  const ExtensionValue* value = of.member(name);
-  const auto data = value != nullptr && value->whole() ? from.accessor(*value->whole()) : std::nullopt;
-  const bool fits = data && data->format.component == component && data->format.components == components &&
-                    data->bytes.size() % sizeof(T) == 0;
-  if (!fits) return false;
-  to.resize(data->bytes.size() / sizeof(T));
-  std::memcpy(to.data(), data->bytes.view().data(), data->bytes.size());
-  return true;
+               std::vector<T>& to) {
+  const auto rows = rows_of<T>(from, of.member(name), component);
+  if (rows) to.assign(rows->view().begin(), rows->view().end());
+  return rows.has_value();
 }
 
 /// As the rest of a sentence; empty: its sequence runs on what the draws are.
@@ -62,16 +57,18 @@ class CollapseRow final : public ProductRow {
       CollapseSequence sequence;
       std::vector<std::array<std::uint32_t, 2>> points;
       std::vector<std::array<float, 2>> amounts;
-      const bool reads = read_rows(from, one, "collapses", Component::uint32, 2, points) &&
-                         read_rows(from, one, "amounts", Component::float32, 2, amounts) &&
-                         read_rows(from, one, "pairs", Component::uint32, 2, sequence.pairs) &&
-                         read_rows(from, one, "firstPairs", Component::uint32, 1, sequence.first_pair);
+      const bool reads = read_rows(from, one, "collapses", Component::uint32, points) &&
+                         read_rows(from, one, "amounts", Component::float32, amounts) &&
+                         read_rows(from, one, "pairs", Component::uint32, sequence.pairs) &&
+                         read_rows(from, one, "firstPairs", Component::uint32, sequence.first_pair);
       if (!reads || points.size() != amounts.size()) {
         return "meshes[" + std::to_string(all.meshes.size()) + "] lacks an accessor, or has one of another type";
       }
-      if (one.member("places") != nullptr && !read_rows(from, one, "places", Component::float32, 3, sequence.places)) {
+      std::vector<std::array<float, 3>> places;
+      if (one.member("places") != nullptr && !read_rows(from, one, "places", Component::float32, places)) {
         return "its places are not floats";
       }
+      for (const auto& place : places) sequence.places.insert(sequence.places.end(), place.begin(), place.end());
       if (const ExtensionValue* solved = one.member("solved"); solved != nullptr) {
         const bool* const is_solved = std::get_if<bool>(&solved->any());
         if (is_solved == nullptr) return "its member 'solved' is neither true nor false";
@@ -115,11 +112,8 @@ class CollapseRow final : public ProductRow {
                      " is left out: its vertices were changed");
     }
     if (told.empty()) return told;
-    if (left.meshes.empty()) {
-      leave_out(after);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.meshes.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

@@ -1,8 +1,8 @@
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/collapse_recorder.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace foredraw {
@@ -21,8 +21,7 @@ CollapseRecorder::CollapseRecorder(std::span<const glm::vec3> positions, std::sp
       is_finite_(positions.size()) {
   const std::vector<std::uint32_t> point_of = welded(positions);
   for (std::size_t p = 0; p < positions.size(); ++p) {
-    const glm::vec3& at = positions[p];
-    is_finite_[p] = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
+    is_finite_[p] = foredraw::is_finite(positions[p]);
   }
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     const Corners vertices{indices[i], indices[i + 1], indices[i + 2]};

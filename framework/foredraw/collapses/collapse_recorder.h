@@ -2,7 +2,7 @@
 // What a simplifier does to a mesh, kept as a sequence of collapses. For those whose own data know neither seams nor
 // surfaces that are no manifolds: they propose, it says what may be, and remembers.
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The product that simplifiers make: how the draws of each mesh become coarser.
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/scene/scene.h>
 
 #include <memory>

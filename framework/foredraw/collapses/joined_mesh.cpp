@@ -1,4 +1,3 @@
-#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/collapses/joined_mesh.h>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // A sequence of collapses as arrays for runtime/progressive_mesh.h: every state of the mesh is the front of its
 // vertices and triangles.
 
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/runtime/progressive_mesh.h>
-#include <foredraw/scene/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

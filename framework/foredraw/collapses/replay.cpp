@@ -9,7 +9,7 @@ namespace foredraw {
 
 namespace {
 
-bool is_finite(std::span<const float> values) {
+bool are_finite(std::span<const float> values) {
   return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
 }
 
@@ -69,7 +69,7 @@ class Player {
       return "its pairs of vertices do not belong to its collapses";
     }
     if (!sequence_.places.empty() && sequence_.places.size() != 3 * collapses) return "it lacks places";
-    if (!is_finite(sequence_.places)) return "its places are not finite";
+    if (!are_finite(sequence_.places)) return "its places are not finite";
     return {};
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What becomes of a mesh as a sequence of collapses runs, and whether it may run at all.
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

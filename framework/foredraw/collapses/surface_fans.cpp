@@ -1,5 +1,5 @@
-#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/surface_fans.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,7 @@
 #include <foredraw/displaced/corner_normals.h>
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace foredraw {
 glm::dvec3 corner_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::dvec3 to_b = glm::dvec3(b) - glm::dvec3(a), to_c = glm::dvec3(c) - glm::dvec3(a);
   const glm::dvec3 normal = glm::cross(to_b, to_c) / (glm::dot(to_b, to_b) * glm::dot(to_c, to_c));
-  return std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z) ? normal : glm::dvec3(0);
+  return is_finite(normal) ? normal : glm::dvec3(0);
 }
 
 void replace_by_face_normals(std::span<glm::vec3> normals, std::span<const glm::vec3> positions,

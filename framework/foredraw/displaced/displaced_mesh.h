@@ -1,9 +1,9 @@
 #pragma once
 // A draw as its map of heights moves it.
 
+#include <foredraw/displaced/baked_heights.h>
 #include <foredraw/displaced/height_map.h>
 #include <foredraw/displaced/tessellated_mesh.h>
-#include <foredraw/scene/baked_heights.h>
 
 #include <glm/vec3.hpp>
 

@@ -3,7 +3,7 @@
 #include <foredraw/displaced/private/shader_functions.h>
 #include <foredraw/displaced/private/shader_stages_glsl.h>
 #include <foredraw/displaced/private/shader_stages_hlsl.h>
-#include <foredraw/displaced/private/shader_words.h>
+#include <foredraw/displaced/shader_words.h>
 
 #include <charconv>
 #include <cmath>

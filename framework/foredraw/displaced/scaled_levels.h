@@ -1,8 +1,8 @@
 #pragma once
 // Levels that a stage stored, for the tessellator.
 
+#include <foredraw/displaced/tessellation_levels.h>
 #include <foredraw/displaced/tessellation_pattern.h>
-#include <foredraw/scene/tessellation_levels.h>
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include <foredraw/displaced/scene_displacement.h>
 
+#include <foredraw/displaced/displacement_stamp.h>
 #include <foredraw/displaced/smooth_directions.h>
-#include <foredraw/scene/displacement_stamp.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 // Levels as bytes: powers of two alone.
 
+#include <foredraw/displaced/tessellation_levels.h>
 #include <foredraw/displaced/tessellation_pattern.h>
-#include <foredraw/scene/tessellation_levels.h>
 
 #include <glm/vec3.hpp>
 

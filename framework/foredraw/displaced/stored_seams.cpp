@@ -1,6 +1,6 @@
 #include <foredraw/displaced/stored_seams.h>
 
-#include <foredraw/scene/tessellation_levels.h>
+#include <foredraw/displaced/tessellation_levels.h>
 
 namespace foredraw {
 

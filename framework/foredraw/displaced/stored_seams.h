@@ -1,8 +1,8 @@
 #pragma once
 // Heights of seams that a scene stores, as the runtime's functions and shaders read them.
 
+#include <foredraw/displaced/seam_heights.h>
 #include <foredraw/runtime/seam_table.h>
-#include <foredraw/scene/seam_heights.h>
 
 #include <cstdint>
 #include <span>

@@ -1,9 +1,10 @@
 #include <foredraw/frames/frame_scene.h>
 
+#include <foredraw/geometry/finite.h>
 #include <foredraw/image/texture_uv.h>
 #include <foredraw/scene/walk.h>
-#include <foredraw/scene/wires.h>
 #include <foredraw/viewing/shown_scene.h>
+#include <foredraw/wires/wires.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -111,7 +112,7 @@ glm::dvec3 half_box_of(const BoundingSphere& sphere, std::span<const DrawnPositi
   for (const DrawnPositions& part : drawn) {
     for (const std::uint32_t v : part.indices) {
       const glm::dvec3 apart = glm::abs(glm::dvec3(part.positions[v]) - sphere.centre);
-      if (std::isfinite(apart.x) && std::isfinite(apart.y) && std::isfinite(apart.z)) half = glm::max(half, apart);
+      if (is_finite(apart)) half = glm::max(half, apart);
     }
   }
   return half;

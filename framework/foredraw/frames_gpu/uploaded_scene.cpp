@@ -1,6 +1,6 @@
 #include <foredraw/frames_gpu/private/uploaded_scene.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <limits>

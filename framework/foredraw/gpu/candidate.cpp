@@ -71,7 +71,6 @@ std::string lack_of(Candidate& candidate) {
   if (candidate.properties.apiVersion < VK_API_VERSION_1_1) return "Vulkan 1.1";
   if (!has_graphics_queue(candidate)) return "a graphics queue";
   if (!has.occlusionQueryPrecise) return "precise occlusion queries";
-  if (!has.fragmentStoresAndAtomics) return "atomics in fragment shaders";
   if (!has.fullDrawIndexUint32) return "32-bit indices";
   candidate.features = {.fullDrawIndexUint32 = VK_TRUE,
                         .tessellationShader = has.tessellationShader,
@@ -79,7 +78,7 @@ std::string lack_of(Candidate& candidate) {
                         .drawIndirectFirstInstance = has.multiDrawIndirect & has.drawIndirectFirstInstance,
                         .occlusionQueryPrecise = VK_TRUE,
                         .pipelineStatisticsQuery = has.pipelineStatisticsQuery,
-                        .fragmentStoresAndAtomics = VK_TRUE};
+                        .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics};
   candidate.depth_format = depth_format(candidate.device);
   candidate.has_transform_feedback = has_transform_feedback(candidate.device);
   return "";

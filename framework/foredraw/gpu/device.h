@@ -30,7 +30,7 @@ class Device {
   /// Also with first instances other than 0.
   bool draws_many_indirectly() const { return candidate_.features.multiDrawIndirect == VK_TRUE; }
   bool tessellates() const { return candidate_.features.tessellationShader == VK_TRUE; }
-  bool captures() const { return candidate_.has_transform_feedback; }  ///< what shaders put out: capture.h
+  bool captures() const { return candidate_.has_transform_feedback; }  ///< what shaders put out
   std::uint32_t queue_family() const { return candidate_.queue_family; }
 
   /// Memory of a type that has all of `wanted`, and `better` too if there is one.

@@ -3,8 +3,8 @@
 
 namespace foredraw {
 
-/// Adds to every draw the traits that the scene itself shows: all those of known_traits() that no stage makes, but for
-/// `extended`, of which a reader knows. Who makes a scene calls it when everything is in its place.
+/// Adds to every draw the traits that the scene itself shows: all those of the namespace traits that no stage makes,
+/// but for `extended`, of which a reader knows. Who makes a scene calls it when everything is in its place.
 void find_traits(Scene& scene);
 
 }  // namespace foredraw

@@ -26,9 +26,8 @@ bool is_gltf_file(const std::filesystem::path& path);
 /// nullopt, with a diagnostic that names file and place, where the file can not be read whole and right.
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const SceneInput& how = {});
 
-/// Whether scenes can be written to a path of this kind; a diagnostic says why not. `input`: where the scene is to come
-/// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind, and files of sprites only from images
-/// and frame lists.
+/// True if scenes can be written to a path of this kind; a diagnostic says why not. `input`: the scene's file, because
+/// some kinds hold only sprites, which come from images and frame lists, and others hold only meshes (scene_writers.h).
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics);
 
 /// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written

@@ -31,7 +31,7 @@ std::vector<std::vector<DrawId>> meshes_of(const Scene& scene, const std::vector
 
 class CollapseProcessor final : public Processor {
  public:
-  CollapseProcessor(std::unique_ptr<const Simplifier> simplifier, CollapseProcessorOptions options)
+  CollapseProcessor(Simplifier simplifier, CollapseProcessorOptions options)
       : simplifier_(std::move(simplifier)), options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
@@ -73,8 +73,7 @@ class CollapseProcessor final : public Processor {
   std::shared_ptr<const CollapseSequence> sequence_of(const MeshInScene& of, Run& run) const {
     const JoinedMesh& mesh = of.mesh;
     const double least = std::ceil(options_.until * static_cast<double>(mesh.indices.size() / 3));
-    auto sequence =
-        std::make_shared<const CollapseSequence>(simplifier_->collapses(of, static_cast<std::size_t>(least), run));
+    auto sequence = std::make_shared<const CollapseSequence>(simplifier_(of, static_cast<std::size_t>(least), run));
     const Replay run_of_it = replay(*sequence, mesh.positions, mesh.indices, mesh.part);
     if (!run_of_it.mistake.empty()) {
       throw std::runtime_error(fmt::format("{}: {}", of.scene.draws[of.draws.front()].name, run_of_it.mistake));
@@ -82,14 +81,13 @@ class CollapseProcessor final : public Processor {
     return sequence;
   }
 
-  std::unique_ptr<const Simplifier> simplifier_;
+  Simplifier simplifier_;
   CollapseProcessorOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<Processor> collapse_processor(std::unique_ptr<const Simplifier> simplifier,
-                                              CollapseProcessorOptions options) {
+std::unique_ptr<Processor> collapse_processor(Simplifier simplifier, CollapseProcessorOptions options) {
   return std::make_unique<CollapseProcessor>(std::move(simplifier), options);
 }
 

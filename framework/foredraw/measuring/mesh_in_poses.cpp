@@ -1,9 +1,10 @@
 #include <foredraw/measuring/mesh_in_poses.h>
 
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/triangle_area.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/viewing/posed_positions.h>
 
-#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -44,19 +45,9 @@ template <class PlaceOf>
 double area(std::span<const std::uint32_t> indices, const PlaceOf& place_of) {
   double sum = 0;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const glm::dvec3 a = place_of(indices[i]);
-    sum += glm::length(glm::cross(place_of(indices[i + 1]) - a, place_of(indices[i + 2]) - a)) / 2;
+    sum += triangle_area(place_of(indices[i]), place_of(indices[i + 1]), place_of(indices[i + 2]));
   }
   return sum;
-}
-
-bool is_finite(const glm::dmat4x3& map) {
-  for (int c = 0; c < 4; ++c) {
-    for (int r = 0; r < 3; ++r) {
-      if (!std::isfinite(map[c][r])) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -82,7 +73,8 @@ PosedVertices mesh_in_poses(const MeshInScene& of, const Poses& poses, std::size
   const double scale = std::sqrt(at_rest / areas);
   if (!(scale > 0)) return {};
   for (glm::dmat4x3& map : posed.maps) map *= scale;
-  return std::ranges::all_of(posed.maps, is_finite) ? posed : PosedVertices{};
+  return std::ranges::all_of(posed.maps, [](const glm::dmat4x3& map) { return is_finite(map); }) ? posed
+                                                                                                 : PosedVertices{};
 }
 
 }  // namespace foredraw

@@ -1,6 +1,6 @@
 #pragma once
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/measuring/subjects_in_poses.h>
-#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/viewing/drawn_orders.h>
 
 #include <string>

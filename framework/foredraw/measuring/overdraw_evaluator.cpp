@@ -278,6 +278,8 @@ class OverdrawEvaluator final : public Evaluator {
     OverdrawEvaluation(*service_, options_, views_).evaluate(scene, run);
   }
 
+  const OverdrawOptions& options() const { return options_; }
+
  private:
   std::unique_ptr<const OverdrawService> service_;
   OverdrawOptions options_;
@@ -309,6 +311,12 @@ std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> s
                                               const OverdrawOptions& options) {
   if (const auto mistake = mistake_in(static_cast<const PoseSet&>(options))) throw std::invalid_argument(*mistake);
   return std::make_unique<OverdrawEvaluator>(std::move(service), options);
+}
+
+const OverdrawOptions* overdraw_options_of(const Technique& technique) {
+  const auto* held = std::get_if<std::unique_ptr<Evaluator>>(&technique);
+  const auto* evaluator = held == nullptr ? nullptr : dynamic_cast<const OverdrawEvaluator*>(held->get());
+  return evaluator == nullptr ? nullptr : &evaluator->options();
 }
 
 }  // namespace foredraw

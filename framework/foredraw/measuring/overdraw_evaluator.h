@@ -2,10 +2,11 @@
 // What evaluators of overdraw share: a plugin says how triangles are drawn and counted, as an OverdrawService;
 // subjects, views, figures and what is told about them are the same for all.
 
+#include <foredraw/measuring/overdraw_service.h>
+#include <foredraw/measuring/pose_options.h>
+#include <foredraw/measuring/view_options.h>
 #include <foredraw/technique/plugin.h>
-#include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/subject_options.h>
-#include <foredraw/technique/view_options.h>
 #include <foredraw/viewing/drawn_orders.h>
 
 #include <concepts>
@@ -62,6 +63,9 @@ void add_evaluator_rows(OptionTable<Options>& table) {
 
 /// Draws every subject of a scene through the service. std::invalid_argument where the views or poses have a mistake.
 std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options);
+
+/// The options of an evaluator that overdraw_evaluator() made; nullptr: the technique is another one.
+const OverdrawOptions* overdraw_options_of(const Technique& technique);
 
 /// An evaluator and a service in one. `add_rows(table)` adds the rows of what Options has besides; `make(options)`
 /// makes the service. The card's metrics are joined to those that all evaluators of overdraw have.

@@ -1,9 +1,9 @@
 #pragma once
 // A subject captured in poses and from all views, for orderers that judge orders of it without drawing again.
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/overdraw/subject_layers.h>
 #include <foredraw/technique/orderer.h>
-#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/viewing/distinct_poses.h>
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include <foredraw/modules/draw_overdraw.h>
 
-#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/measuring/overdraw_service.h>
 
 #include <numeric>
 

@@ -1,12 +1,11 @@
 #include <foredraw/overdraw/overdraw_bound.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace foredraw {

@@ -1,7 +1,6 @@
 #include <foredraw/pipeline/private/line_scanner.h>
 
 #include <foredraw/pipeline/private/toml.h>
-#include <foredraw/pipeline/private/words.h>
 
 #include <fmt/format.h>
 
@@ -67,6 +66,18 @@ class Scanner {
     }
     if (!good) return std::nullopt;
     return stages;
+  }
+
+  std::optional<StageWords> only_options() {
+    StageWords words;
+    skip_space();
+    if (at_end()) return words;
+    do {
+      if (!read_option(words)) return std::nullopt;
+    } while (take(','));
+    if (at_end()) return words;
+    mistake("',' or the end", "options are given as name=value, with commas between them");
+    return std::nullopt;
   }
 
   std::optional<OptionValue> only_value() {
@@ -215,6 +226,10 @@ class Scanner {
 
 std::optional<std::vector<Stage>> scan_stages(std::string_view text, const TextPlace& place, Diagnostics& diagnostics) {
   return Scanner(text, place, diagnostics).stages();
+}
+
+std::optional<StageWords> scan_options(std::string_view text, const TextPlace& place, Diagnostics& diagnostics) {
+  return Scanner(text, place, diagnostics).only_options();
 }
 
 std::optional<OptionValue> scan_value(std::string_view text, const TextPlace& place, Diagnostics& diagnostics) {

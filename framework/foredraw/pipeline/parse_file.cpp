@@ -1,3 +1,4 @@
+#include <foredraw/pipeline/output_words.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/private/line_scanner.h>
 #include <foredraw/pipeline/private/toml.h>

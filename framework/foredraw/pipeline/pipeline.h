@@ -5,6 +5,7 @@
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/frames/camera_path.h>
 #include <foredraw/pipeline/module_demand.h>
+#include <foredraw/scene/output_settings.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/technique/options.h>
 #include <foredraw/viewing/pose_set.h>
@@ -37,14 +38,6 @@ struct SubjectChoice {
   friend bool operator==(const SubjectChoice&, const SubjectChoice&) = default;
 };
 
-/// How glTF is written, in the words of the command line, where that says nothing.
-struct OutputChoice {
-  std::string compression = "keep";  ///< keep, none, ext-meshopt, khr-meshopt, draco, draco-edgebreaker
-  std::string corners = "keep";      ///< keep, turn
-  std::string levels = "keep";       ///< keep, msft-lod
-  friend bool operator==(const OutputChoice&, const OutputChoice&) = default;
-};
-
 struct Pipeline {
   std::string about;
   std::vector<Stage> stages;
@@ -55,7 +48,7 @@ struct Pipeline {
   SubjectChoice subjects;             ///< and what is seen as one there
   FrameSet frames;                    ///< through which evaluators walk
   std::optional<Stage> overdraw;      ///< [services]: who answers for measured overdraw
-  OutputChoice output;                ///< how the host writes the scene; no stage sees it
+  OutputSettings output;              ///< how the scene is written; no stage sees it
   std::int64_t seed = 0;
 
   Where views_where{.inside = "views"};  ///< in the text

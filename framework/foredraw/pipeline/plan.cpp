@@ -1,5 +1,6 @@
 #include <foredraw/pipeline/plan.h>
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/pipeline/eligible.h>
 #include <foredraw/pipeline/measured_frames.h>
 #include <foredraw/pipeline/measured_subjects.h>

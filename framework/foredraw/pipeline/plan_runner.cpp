@@ -1,7 +1,6 @@
 #include <foredraw/pipeline/plan_runner.h>
 
 #include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/run_record.h>
 #include <foredraw/pipeline/stage_runner.h>
 #include <foredraw/platform/machine.h>
 #include <foredraw/scene/levels.h>
@@ -41,28 +40,9 @@ void PlanRunner::begin(bool with_stages) {
   report.seconds += clock.seconds();
 }
 
-std::size_t PlanRunner::begin_at_milestone() {
-  if (surroundings_->milestones == nullptr) return begin(true), 0;
-  auto known = surroundings_->milestones->furthest(*plan_, original_);
-  if (known) milestone_.measures = std::move(known->measures);
-  for (Step& step : milestone_.measures) step.record.from_cache = true;
-  begin(true);
-  if (!known) return 0;
-  result_.scene = std::move(known->scene);
-  for (Step& step : known->stages) {
-    step.record.from_cache = true;
-    take_stage(std::move(step));
-    ++done_;
-  }
-  return known->stages.size();
-}
-
 void PlanRunner::run_stages(std::size_t first, std::size_t end) {
   const Clock clock;
-  for (std::size_t i = first; i < end; ++i) {
-    take_stage(run_one(plan_->stages[i], i + 1, "", result_.scene));
-    if (surroundings_->milestones != nullptr && i + 1 < plan_->stages.size()) offer_milestone();
-  }
+  for (std::size_t i = first; i < end; ++i) take_stage(run_one(plan_->stages[i], i + 1, "", result_.scene));
   result_.report.seconds += clock.seconds();
 }
 
@@ -95,11 +75,8 @@ void PlanRunner::count_steps() {
 }
 
 void PlanRunner::measure_input() {
-  const bool is_known = milestone_.measures.size() == plan_->measures.size();
-  std::vector<Step> steps = is_known ? milestone_.measures : measured(result_.scene, "measuring the input: ");
-  if (is_known) done_ += static_cast<double>(steps.size());
-  if (surroundings_->milestones != nullptr) milestone_.measures = steps;
-  book_measures(std::move(steps), *plan_, SceneState::input, result_.scene.draws.size(), result_.report);
+  book_measures(measured(result_.scene, "measuring the input: "), *plan_, SceneState::input, result_.scene.draws.size(),
+                result_.report);
   for (const Diagnostic& one : diagnostics_.all()) told_of_input_.insert(words_of(one));
 }
 
@@ -115,16 +92,7 @@ void PlanRunner::take_stage(Step step) {
   Report& report = result_.report;
   const PlannedStage& stage = plan_->stages[report.stages.size()];
   book(step.measured, stage, SceneState::output, result_.scene.draws.size(), report);
-  report.stages.push_back(step.record);
-  if (surroundings_->milestones != nullptr) milestone_.stages.push_back(std::move(step));
-}
-
-void PlanRunner::offer_milestone() {
-  if (diagnostics_.has_errors()) return;  // what failed may not fail the next time
-  milestone_.scene = result_.scene;
-  if (std::string why = surroundings_->milestones->reached(*plan_, milestone_); !why.empty()) {
-    result_.report.stages.back().notes.push_back({"", "not-cached", std::move(why)});
-  }
+  report.stages.push_back(std::move(step.record));
 }
 
 Step PlanRunner::run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Scene& scene) {

@@ -1,7 +1,7 @@
 #pragma once
 // One run of a plan, step by step: who compares plans runs their common stages once, and goes on from a copy.
 
-#include <foredraw/pipeline/milestones.h>
+#include <foredraw/pipeline/run_record.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/memory.h>
 
@@ -19,8 +19,6 @@ class PlanRunner {
 
   /// With stages to come there is a before and an after.
   void begin(bool with_stages);
-  /// Begins behind the stages that an earlier run has done, if one has. How many these are.
-  std::size_t begin_at_milestone();
   void run_stages(std::size_t first, std::size_t end);
   /// Goes on with another plan, which is the same up to here.
   void go_on_with(const Plan& plan);
@@ -32,7 +30,6 @@ class PlanRunner {
   void measure_input();
   std::vector<Step> measured(Scene& scene, std::string_view what);
   void take_stage(Step step);
-  void offer_milestone();
   Step run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Scene& scene);
   void tell(const Diagnostic& one);
   std::optional<MemoryWatch> watch_memory();
@@ -46,7 +43,6 @@ class PlanRunner {
   Diagnostics diagnostics_;
   std::multiset<Words> told_of_input_;  ///< by evaluators, and not of the output yet
   Result result_;
-  Milestone milestone_;  ///< the run so far, where somebody keeps it
   std::size_t steps_ = 0;
   double done_ = 0;
   bool watches_memory_ = false;

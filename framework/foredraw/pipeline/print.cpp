@@ -1,4 +1,5 @@
 #include <foredraw/pipeline/measured_frames.h>
+#include <foredraw/pipeline/output_words.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/private/line_scanner.h>
 #include <foredraw/pipeline/private/words.h>
@@ -94,12 +95,9 @@ std::string frames_in_file(const FrameSet& frames) {
   return text;
 }
 
-std::string output_in_file(const OutputChoice& output) {
-  const OutputChoice usual;
+std::string output_in_file(const OutputSettings& output) {
   std::string text = "\n[output]\n";
-  if (output.compression != usual.compression) text += row_in_file("compression", output.compression) + '\n';
-  if (output.corners != usual.corners) text += row_in_file("corners", output.corners) + '\n';
-  if (output.levels != usual.levels) text += row_in_file("levels", output.levels) + '\n';
+  for (const auto& [word, value] : words_of(output)) text += row_in_file(word, value) + '\n';
   return text;
 }
 
@@ -116,7 +114,7 @@ std::string print_file(const Pipeline& pipeline) {
   if (pipeline.poses != PoseSet{}) text += poses_in_file(pipeline.poses);
   if (pipeline.subjects != SubjectChoice{}) text += subjects_in_file(pipeline.subjects);
   if (pipeline.frames != FrameSet{}) text += frames_in_file(pipeline.frames);
-  if (pipeline.output != OutputChoice{}) text += output_in_file(pipeline.output);
+  if (pipeline.output != OutputSettings{}) text += output_in_file(pipeline.output);
   if (pipeline.overdraw) text += "\n[services]\noverdraw = " + stage_in_file(*pipeline.overdraw) + '\n';
   return text;
 }

@@ -2,10 +2,15 @@
 // What stands in the report of a run: the draws as they were and as they are, what was measured of them, and with which
 // plan.
 
-#include <foredraw/pipeline/milestones.h>
 #include <foredraw/pipeline/runner.h>
 
 namespace foredraw {
+
+/// What a stage or a measurement came to, beside the scene.
+struct Step {
+  StageRecord record;
+  std::vector<Measured> measured;
+};
 
 /// Which state of the scene a figure is of.
 enum class SceneState { input, output };

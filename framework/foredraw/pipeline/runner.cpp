@@ -45,7 +45,8 @@ double median(std::vector<double> values) {
 
 Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings) {
   PlanRunner runner(plan, std::move(scene), surroundings);
-  runner.run_stages(runner.begin_at_milestone(), plan.stages.size());
+  runner.begin(true);
+  runner.run_stages(0, plan.stages.size());
   return runner.end();
 }
 

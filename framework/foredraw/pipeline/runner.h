@@ -11,8 +11,6 @@
 
 namespace foredraw {
 
-class Milestones;
-
 /// What a run lives on. Analyses may be shared between runs.
 struct Surroundings {
   const Executor& executor;
@@ -20,8 +18,6 @@ struct Surroundings {
   const std::atomic<bool>* cancel = nullptr;
   /// Called as stages begin and end: what is going on, and which part of the whole is done, 0 to 1. May be empty.
   std::function<void(std::string_view, double)> progress = {};
-  /// Who keeps what optimize() comes to between stages; null: nobody. Of one run alone.
-  Milestones* milestones = nullptr;
 };
 
 struct Result {
@@ -30,7 +26,7 @@ struct Result {
   bool failed = false;  ///< some stage failed somewhere; the report says where
 };
 
-/// Measures, runs the stages, measures again. What a milestone of the surroundings holds is taken from there instead.
+/// Measures, runs the stages, measures again.
 Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings);
 
 /// Measures once; the plan's stages are not run.

@@ -1,5 +1,6 @@
 #include <foredraw/pipeline/schema.h>
 
+#include <foredraw/pipeline/output_words.h>
 #include <foredraw/pipeline/private/words.h>
 
 #include <fmt/format.h>
@@ -129,7 +130,7 @@ std::string pipeline_schema(const Registry& registry) {
   properties["frames"] = closed_table(properties_of(frame_words().specs()));
   properties["frames"]["description"] = "The frames that evaluators of frames walk through";
   properties["output"] = closed_table(properties_of(output_words().specs()));
-  properties["output"]["description"] = "How glTF is written, where the command line does not say";
+  properties["output"]["description"] = "How the scene is written, unless the caller says otherwise";
   properties["services"] = closed_table({{"overdraw", reference("any_overdraw_service")}});
   properties["services"]["description"] = "Which evaluator supplies measured overdraw";
 

@@ -1,10 +1,18 @@
+#include <foredraw/pipeline/output_words.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/private/line_scanner.h>
+#include <foredraw/pipeline/private/set_word.h>
 #include <foredraw/pipeline/private/words.h>
 
 #include <fmt/format.h>
 
 namespace foredraw {
+
+std::string there_are(const std::vector<OptionSpec>& specs) {
+  std::vector<std::string> words;
+  for (const OptionSpec& spec : specs) words.push_back(spec.name);
+  return fmt::format("there are {}", fmt::join(words, ", "));
+}
 
 namespace {
 
@@ -25,12 +33,8 @@ std::string what_there_is(const std::string& name, const std::vector<Stage*>& st
 }
 
 /// "tipsify.cache-size=24", "views.count=162" or "seed=7" taken apart.
-struct Assignment {
-  std::string
-      stage;  ///< or "views", "poses", "subjects", "frames" or "output"; empty for a word of the pipeline itself
-  std::string word;
-  OptionValue value;
-  Where where;  ///< of the value
+struct Assignment : WordValue {
+  std::string stage;  ///< or "views", "poses", "subjects", "frames" or "output"; empty: a word of the pipeline itself
 };
 
 std::optional<Assignment> assignment_of(std::string_view text, Diagnostics& diagnostics) {
@@ -46,29 +50,8 @@ std::optional<Assignment> assignment_of(std::string_view text, Diagnostics& diag
   const Where where{"--set", 1, static_cast<int>(equals) + 2, {}};
   const auto value = scan_value(text.substr(equals + 1), {where}, diagnostics);
   if (!value) return std::nullopt;
-  return Assignment{std::string(text.substr(0, word == 0 ? 0 : dot)), std::string(text.substr(word, equals - word)),
-                    *value, where};
-}
-
-/// A word of the pipeline's own tables.
-template <class Options>
-bool set_word(const OptionTable<Options>& table, Options& options, const Assignment& assignment,
-              Diagnostics& diagnostics) {
-  std::vector<std::string> words;
-  for (const OptionSpec& spec : table.specs()) {
-    words.push_back(spec.name);
-    if (spec.name != assignment.word) continue;
-    auto fitted = fit(spec, assignment.value);
-    if (const auto* why = std::get_if<std::string>(&fitted)) {
-      diagnostics.error(assignment.where, "bad-value", *why);
-      return false;
-    }
-    table.apply({{spec.name, std::get<OptionValue>(std::move(fitted))}}, options);
-    return true;
-  }
-  diagnostics.error({"--set", 1, 1, {}}, "unknown-word", fmt::format("there is no '{}'", assignment.word),
-                    fmt::format("there are {}", fmt::join(words, ", ")));
-  return false;
+  return Assignment{{std::string(text.substr(word, equals - word)), *value, where, {"--set", 1, 1, {}}},
+                    std::string(text.substr(0, word == 0 ? 0 : dot))};
 }
 
 bool set_of_stages(Pipeline& pipeline, const Assignment& assignment, Diagnostics& diagnostics) {

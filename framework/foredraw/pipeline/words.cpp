@@ -1,9 +1,9 @@
 #include <foredraw/pipeline/private/words.h>
 
-#include <foredraw/technique/frame_options.h>
-#include <foredraw/technique/pose_options.h>
+#include <foredraw/measuring/frame_options.h>
+#include <foredraw/measuring/pose_options.h>
+#include <foredraw/measuring/view_options.h>
 #include <foredraw/technique/subject_options.h>
-#include <foredraw/technique/view_options.h>
 
 #include <algorithm>
 
@@ -37,27 +37,6 @@ OptionTable<SubjectChoice> subject_words() {
 OptionTable<FrameSet> frame_words() {
   OptionTable<FrameSet> table;
   add_frame_rows(table);
-  return table;
-}
-
-OptionTable<OutputChoice> output_words() {
-  const auto words = [](std::initializer_list<const char*> list) {
-    std::vector<std::pair<std::string, std::string>> choices;
-    for (const char* word : list) choices.emplace_back(word, word);
-    return choices;
-  };
-  OptionTable<OutputChoice> table;
-  table.choice(
-      &OutputChoice::compression, "compression",
-      "How glTF is compressed: as it came, not at all, by EXT_meshopt_compression or KHR_meshopt_compression, by "
-      "KHR_draco_mesh_compression in the order that there is or, by edgebreaker, in its own",
-      words({"keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker"}));
-  table.choice(&OutputChoice::corners, "corners",
-               "Whether compression may let a triangle start at another of its corners, which takes fewer bytes",
-               words({"keep", "turn"}));
-  table.choice(&OutputChoice::levels, "levels",
-               "How levels of detail are written: as FOREDRAW_levels, or as nodes with MSFT_lod",
-               words({"keep", "msft-lod"}));
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include <foredraw/platform/private/descriptor.h>
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -29,6 +30,21 @@ std::optional<FileFacts> file_facts(const std::filesystem::path& path) {
   if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return FileFacts{static_cast<std::uint64_t>(status.st_size), status.st_ino, status.st_dev,
                    nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+}
+
+/// Linux lends a file to be read only where nobody has it open to write. The loan is given back at once; who asks for
+/// the file in between waits that long, and the signal that asks for it back is one that does nothing.
+std::optional<bool> is_open_for_writing(const std::filesystem::path& path) {
+#ifdef F_SETLEASE
+  const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (opened.get() < 0 || ::fcntl(opened.get(), F_SETSIG, SIGURG) != 0) return std::nullopt;
+  if (::fcntl(opened.get(), F_SETLEASE, F_RDLCK) == 0) {
+    ::fcntl(opened.get(), F_SETLEASE, F_UNLCK);
+    return false;
+  }
+  if (errno == EAGAIN) return true;
+#endif
+  return std::nullopt;
 }
 
 std::int64_t file_clock() {

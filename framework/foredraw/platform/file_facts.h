@@ -25,6 +25,10 @@ struct FileFacts {
 /// Of a regular file, links followed; nothing where there is none.
 std::optional<FileFacts> file_facts(const std::filesystem::path& path);
 
+/// True if a program has the file open to write to it. Nothing where this system does not tell, as of the files of
+/// others.
+std::optional<bool> is_open_for_writing(const std::filesystem::path& path);
+
 /// By the clock that files' times are of.
 std::int64_t file_clock();
 

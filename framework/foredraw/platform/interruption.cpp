@@ -25,11 +25,6 @@ sigset_t endings() {
   return signals;
 }
 
-void make_readable(int event) {
-  const std::uint64_t once = 1;
-  [[maybe_unused]] const ssize_t put = ::write(event, &once, sizeof once);
-}
-
 }  // namespace
 
 void Interruption::hold() {
@@ -40,21 +35,21 @@ void Interruption::hold() {
 Interruption::Interruption() {
   hold();
   const sigset_t signals = endings();
-  told_ = ::eventfd(0, EFD_CLOEXEC);
   enough_ = ::eventfd(0, EFD_CLOEXEC);
   signals_ = ::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
-  if (told_ < 0 || enough_ < 0 || signals_ < 0) {
+  if (enough_ < 0 || signals_ < 0) {
     const int error = errno;
-    for (const int opened : {told_, enough_, signals_}) ::close(opened);
+    for (const int opened : {enough_, signals_}) ::close(opened);
     throw std::system_error(error, std::generic_category(), "Ctrl-C can not be waited for");
   }
   waiting_ = std::thread([this] { wait_for_it(); });
 }
 
 Interruption::~Interruption() {
-  make_readable(enough_);
+  const std::uint64_t once = 1;
+  [[maybe_unused]] const ssize_t put = ::write(enough_, &once, sizeof once);
   waiting_.join();
-  for (const int opened : {told_, enough_, signals_}) ::close(opened);
+  for (const int opened : {enough_, signals_}) ::close(opened);
 }
 
 void Interruption::end_process() const {
@@ -77,7 +72,6 @@ void Interruption::wait_for_it() {
   if (::read(signals_, &first, sizeof first) != sizeof first) return;
   signal_ = static_cast<int>(first.ssi_signo);
   came_ = true;
-  make_readable(told_);
   // This thread alone takes the second one, as if nobody had asked for the first.
   const sigset_t signals = endings();
   ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);

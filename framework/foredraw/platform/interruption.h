@@ -20,8 +20,6 @@ class Interruption {
 
   /// Becomes true, from another thread.
   const std::atomic<bool>& came() const { return came_; }
-  /// Readable from then on, for who waits for several things at once.
-  int descriptor() const { return told_; }
 
   /// Ends the process by the signal that came, as if it had not been held: a shell sees 128 and its number (130 of
   /// Ctrl-C), and ends its loops. Destructors that are due have run before.
@@ -32,8 +30,7 @@ class Interruption {
 
   std::atomic<bool> came_ = false;
   std::atomic<int> signal_ = 0;  ///< the first one, once it came
-  int told_ = -1;
-  int enough_ = -1;  ///< readable when nobody asks any more
+  int enough_ = -1;              ///< readable when nobody asks any more
   int signals_ = -1;
   std::thread waiting_;
 };

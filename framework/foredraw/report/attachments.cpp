@@ -1,37 +1,28 @@
 // What the record of a run tells of films and charts.
-#include <foredraw/report/private/attachment_json.h>
+#include <foredraw/report/attachment_json.h>
 #include <foredraw/report/private/report_json.h>
 
 namespace foredraw {
 
 namespace {
 
-void write(JsonWriter& out, const Film& film) {
-  out.key("width").value(film.width);
-  out.key("height").value(film.height);
-  out.key("frames").value(film.frames.size());
+void add_members(Json& json, const Film& film) {
+  json["width"] = film.width;
+  json["height"] = film.height;
+  json["frames"] = film.frames.size();
 }
 
-void write(JsonWriter& out, const Chart& chart) {
-  out.key("x").value(chart.x);
-  out.key("y").value(chart.y);
-  out.key("unit").value(chart.unit);
-  if (chart.mark) {
-    out.key("mark").begin('{');
-    out.key("name").value(chart.mark->name);
-    out.key("value").value(chart.mark->value);
-    out.end('}');
-  }
-  out.key("lines").begin('[');
+void add_members(Json& json, const Chart& chart) {
+  json["x"] = chart.x;
+  json["y"] = chart.y;
+  json["unit"] = chart.unit;
+  if (chart.mark) json["mark"] = JsonObject{{"name", chart.mark->name}, {"value", json_of(chart.mark->value)}};
+  json["lines"] = Json::array();
   for (const Chart::Line& line : chart.lines) {
-    out.begin('{');
-    out.key("name").value(line.name);
-    out.key("values").begin('[');
-    for (const double value : line.values) out.value(value);
-    out.end(']');
-    out.end('}');
+    Json values = Json::array();
+    for (const double value : line.values) values.push_back(json_of(value));
+    json["lines"].push_back(JsonObject{{"name", line.name}, {"values", std::move(values)}});
   }
-  out.end(']');
 }
 
 void leave_out_pictures(std::vector<AttachmentRecord>& attachments) {
@@ -46,24 +37,21 @@ void leave_out_pictures(std::vector<AttachmentRecord>& attachments) {
 
 }  // namespace
 
-void write(JsonWriter& out, const AttachmentRecord& attachment) {
+Json json_of(const AttachmentRecord& attachment) {
   const Attachment& content = *attachment.content;
-  out.begin('{');
-  out.key("kind").value(std::holds_alternative<Film>(content) ? "film" : "chart");
-  out.key("place").value(attachment.about);
+  Json json =
+      JsonObject{{"kind", std::holds_alternative<Film>(content) ? "film" : "chart"}, {"place", attachment.about}};
   std::visit(
       [&](const auto& shown) {
-        out.key("name").value(shown.name);
-        out.key("caption").value(shown.caption);
-        write(out, shown);
+        json["name"] = shown.name;
+        json["caption"] = shown.caption;
+        add_members(json, shown);
       },
       content);
-  out.end('}');
+  return json;
 }
 
-Json json_of(const AttachmentRecord& attachment) {
-  return Json::parse(json_text([&](JsonWriter& out) { write(out, attachment); }));
-}
+std::string to_json(const AttachmentRecord& attachment) { return indented_text(json_of(attachment)); }
 
 void leave_out_pictures(Report& report) {
   for (std::vector<StageRecord>* records : {&report.stages, &report.measures}) {

@@ -1,6 +1,5 @@
 #include <foredraw/report/baseline.h>
 
-#include <foredraw/report/private/json_places.h>
 #include <foredraw/report/private/json_values.h>
 
 #include <fmt/format.h>
@@ -65,34 +64,39 @@ std::optional<Baseline> read_baseline(const std::string& text, const std::string
     diagnostics.error({.file = name}, "bad-baseline", why, "give the JSON report of optimize, measure or compare");
     return std::nullopt;
   };
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string::npos || text[begin] != '{' || !Json::accept(text)) return refuse("is not a JSON object");
-  const auto members = members_in(text);
-  const auto member = [&](std::string_view key) {
-    const auto found = std::ranges::find(members, key, [](const auto& each) { return each.first; });
-    return found == members.end() ? std::string_view() : found->second;
+  Baseline::Files files;
+  Json head;
+  bool is_whole = true;
+  const auto take = [&](const Json& file) {
+    try {
+      add_file(files, file);
+    } catch (const Json::exception&) {
+      is_whole = false;  // which matters where it is a report at all
+    }
   };
+  try {
+    head = parse_files(text, take);
+  } catch (const Json::parse_error&) {
+  }
+  if (!head.is_object()) return refuse("is not a JSON object");
   for (const std::string form : {"report", "batch", "comparison"}) {
-    if (member(form).empty()) continue;
-    const Json version = Json::parse(member(form));
+    if (!head.contains(form)) continue;
+    const Json& version = head[form];
     if (!version.is_number_integer()) break;
     if (version.get<std::int64_t>() > known_version) {
       return refuse(fmt::format("is a {} of version {}, but this program reads versions up to {}", form,
                                 version.get<std::int64_t>(), known_version));
     }
     try {
-      Baseline::Files files;
       if (form == "report") {
-        add_report(files, Json::parse(text));
-      } else if (!member("files").starts_with('[')) {
-        return refuse(fmt::format("is an incomplete {}", form));
+        add_report(files, head);
       } else {
-        for (const std::string_view file : elements_in(member("files"))) add_file(files, Json::parse(file));
+        is_whole = is_whole && head.contains("files") && head["files"].is_array();
       }
-      return Baseline(std::move(files));
     } catch (const Json::exception&) {
-      return refuse(fmt::format("is an incomplete {}", form));
+      is_whole = false;
     }
+    return is_whole ? std::optional(Baseline(std::move(files))) : refuse(fmt::format("is an incomplete {}", form));
   }
   return refuse("is not a report, a batch or a comparison");
 }

@@ -57,17 +57,6 @@ std::string_view told(Outcome outcome) {
                                      : "done";
 }
 
-/// A JSON text as it stands within another one: no line of it breaks but between values.
-void put_indented(std::string_view text, std::string_view indent, const std::function<void(std::string_view)>& put) {
-  while (text.ends_with('\n')) text.remove_suffix(1);
-  while (!text.empty()) {
-    const std::size_t line = std::min(text.find('\n'), text.size() - 1) + 1;
-    put(text.substr(0, line));
-    text.remove_prefix(line);
-    if (!text.empty()) put(indent);
-  }
-}
-
 }  // namespace
 
 std::string_view to_text(Outcome outcome) {
@@ -158,7 +147,7 @@ void Batch::write_json(double seconds, const std::optional<Shard>& shard,
   head["seconds"] = seconds;
   head["totals"] = Json::parse(to_json(sum))["totals"];
   if (!since.empty()) head["since"] = Json::parse(since);
-  std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
+  std::string text = indented_text(head);
   text.erase(text.rfind('\n'));
   put(text);
   put(rows_.empty() ? ",\n  \"files\": []" : ",\n  \"files\": [");

@@ -1,6 +1,5 @@
 #include <foredraw/report/batch_join.h>
 
-#include <foredraw/report/private/json_places.h>
 #include <foredraw/report/private/json_values.h>
 
 #include <fmt/format.h>
@@ -9,33 +8,34 @@
 
 namespace foredraw {
 
-namespace {
-
-/// Of everything but the files; null where the text is no JSON object.
-Json head_of(const std::string& text) {
-  if (!Json::accept(text)) return nullptr;
-  Json head = Json::object();
-  for (const auto& [key, value] : members_in(text)) {
-    if (key != "files") head[std::string(key)] = Json::parse(value);
-  }
-  return head;
-}
-
-}  // namespace
-
 bool BatchJoin::add(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& why, const std::string& hint) {
     diagnostics.error({.file = name}, "bad-report", why, hint);
     return false;
   };
   const std::string what = "give the JSON reports of foredraw optimize for folders";
-  const Json head = head_of(text);
-  if (!head.is_object() || !head.contains("batch")) return refuse("is not the report of a folder", what);
-  if (head["batch"] != 1) {
-    return refuse(fmt::format("is of version {}, but this program reads version 1", head["batch"].dump()),
-                  "use the program that wrote it");
-  }
+  std::vector<File> files;
+  bool is_whole = true, is_known = true;
+  const auto take = [&](const Json& file) {
+    try {
+      const Json& report = file.at("report");
+      const auto outcome = outcome_called(file.at("outcome").get<std::string>());
+      is_known = is_known && outcome;
+      files.push_back({report.at("input").at("path").get<std::string>(), spool_.put(indented_text(report) + '\n'),
+                       outcome.value_or(Outcome::lost), file.value("cached", false), name});
+    } catch (const Json::exception&) {
+      is_whole = false;  // which matters where it is a batch at all
+    }
+  };
   try {
+    const Json head = parse_files(text, take);
+    if (!head.contains("batch")) return refuse("is not the report of a folder", what);
+    if (head["batch"] != 1) {
+      return refuse(fmt::format("is of version {}, but this program reads version 1", head["batch"].dump()),
+                    "use the program that wrote it");
+    }
+    if (!is_whole) return refuse("is incomplete", what);
+    if (!is_known) return refuse("has an outcome that this program does not know", "use the program that wrote it");
     const auto command = head.at("command").get<std::string>();
     if (!command_.empty() && command != command_) {
       return refuse(fmt::format("is of '{}', but those before are of '{}'", command, command_), what);
@@ -54,21 +54,12 @@ bool BatchJoin::add(const std::string& text, const std::string& name, Diagnostic
         return refuse(fmt::format("is part {}, which came before", number), "give each part once");
       }
     }
-    for (const auto& [key, value] : members_in(text)) {
-      if (key != "files") continue;
-      for (const std::string_view element : elements_in(value)) {
-        const Json file = Json::parse(element);
-        const Json& report = file.at("report");
-        const auto outcome = outcome_called(file.at("outcome").get<std::string>());
-        if (!outcome) return refuse("has an outcome that this program does not know", "use the program that wrote it");
-        files_.push_back({report.at("input").at("path").get<std::string>(),
-                          spool_.put(report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'), *outcome,
-                          file.value("cached", false), name});
-      }
-    }
+  } catch (const Json::parse_error&) {
+    return refuse("is not the report of a folder", what);
   } catch (const Json::exception&) {
     return refuse("is incomplete", what);
   }
+  files_.insert(files_.end(), files.begin(), files.end());
   std::ranges::stable_sort(files_, {}, &File::path);
   const auto twin = std::ranges::adjacent_find(files_, {}, &File::path);
   if (twin == files_.end()) return true;

@@ -6,61 +6,42 @@ namespace foredraw {
 
 namespace {
 
-void write(JsonWriter& out, const Figure* figure) { figure == nullptr ? out.null() : out.value(figure->value()); }
+using foredraw::json_of;
 
-void write(JsonWriter& out, const Branch& branch) {
-  out.begin('{');
-  out.key("name").value(branch.name);
-  out.key("seconds");
-  branch.is_lost ? out.null() : out.value(stages_seconds(branch.report));
-  if (branch.is_lost) out.key("lost").value(true);
-  write(out.key("report"), branch.report);
-  out.end('}');
+Json json_of(const Figure* figure) { return figure == nullptr ? Json(nullptr) : json_of(figure->value()); }
+
+Json json_of(const Branch& branch) {
+  Json json = JsonObject{{"name", branch.name},
+                         {"seconds", branch.is_lost ? Json(nullptr) : json_of(stages_seconds(branch.report))}};
+  if (branch.is_lost) json["lost"] = true;
+  json["report"] = json_of(branch.report);
+  return json;
 }
 
-void write(JsonWriter& out, const FigureRow& row) {
+Json json_of(const FigureRow& row) {
   bool lower_is_better = true;
+  Json values = Json::array();
   for (const Figure* figure : row.branches) {
     if (figure != nullptr) lower_is_better = figure->lower_is_better;
+    values.push_back(json_of(figure));
   }
-  out.begin('{');
-  out.key("evaluator").value(row.evaluator);
-  out.key("metric").value(row.metric);
-  out.key("lower-is-better").value(lower_is_better);
-  write(out.key("input"), row.input);
-  out.key("values").begin('[');
-  for (const Figure* figure : row.branches) write(out, figure);
-  out.end(']');
-  out.end('}');
+  return JsonObject{{"evaluator", row.evaluator},
+                    {"metric", row.metric},
+                    {"lower-is-better", lower_is_better},
+                    {"input", json_of(row.input)},
+                    {"values", std::move(values)}};
 }
 
-void write(JsonWriter& out, const Front& front) {
-  out.begin('{');
-  out.key("x").value(front.x);
-  out.key("y").value(front.y);
-  out.key("branches").begin('[');
-  for (const std::size_t branch : front.branches) out.value(branch);
-  out.end(']');
-  out.end('}');
-}
-
-void write(JsonWriter& out, const Comparison& comparison) {
-  out.begin('{');
-  out.key("input").begin('{');
-  out.key("path").value(comparison.input.path);
-  out.key("bytes").value(comparison.input.bytes);
-  out.end('}');
-  if (comparison.is_lost()) out.key("lost").value(true);
-  out.key("branches").begin('[');
-  for (const Branch& branch : comparison.branches) write(out, branch);
-  out.end(']');
-  out.key("metrics").begin('[');
-  for (const FigureRow& row : total_rows(comparison)) write(out, row);
-  out.end(']');
-  out.key("fronts").begin('[');
-  for (const Front& front : fronts_of(comparison)) write(out, front);
-  out.end(']');
-  out.end('}');
+Json json_of(const Comparison& comparison) {
+  Json json = JsonObject{{"input", JsonObject{{"path", comparison.input.path}, {"bytes", comparison.input.bytes}}}};
+  if (comparison.is_lost()) json["lost"] = true;
+  for (const char* list : {"branches", "metrics", "fronts"}) json[list] = Json::array();
+  for (const Branch& branch : comparison.branches) json["branches"].push_back(json_of(branch));
+  for (const FigureRow& row : total_rows(comparison)) json["metrics"].push_back(json_of(row));
+  for (const Front& front : fronts_of(comparison)) {
+    json["fronts"].push_back(JsonObject{{"x", front.x}, {"y", front.y}, {"branches", front.branches}});
+  }
+  return json;
 }
 
 }  // namespace
@@ -68,16 +49,22 @@ void write(JsonWriter& out, const Comparison& comparison) {
 std::string to_json(std::span<const Comparison> comparisons, const std::string& since, const Comparison* all) {
   const auto sum = all == nullptr ? sum_of(comparisons) : std::nullopt;
   if (sum) all = &*sum;
-  return json_text([&](JsonWriter& out) {
-    out.begin('{');
-    out.key("comparison").value(1);
-    out.key("files").begin('[');
-    for (const Comparison& comparison : comparisons) write(out, comparison);
-    out.end(']');
-    if (all != nullptr) write(out.key("all"), *all);
-    if (!since.empty()) out.key("since").json(since);
-    out.end('}');
-  });
+  std::string text = "{\n  \"comparison\": 1,\n  \"files\": [";
+  const auto put = [&](std::string_view piece) { text += piece; };
+  for (const Comparison& comparison : comparisons) {  // one at a time: of many files no tree stands in memory
+    put(&comparison == comparisons.data() ? "\n    " : ",\n    ");
+    put_indented(indented_text(json_of(comparison)), "    ", put);
+  }
+  put(comparisons.empty() ? "]" : "\n  ]");
+  if (all != nullptr) {
+    put(",\n  \"all\": ");
+    put_indented(indented_text(json_of(*all)), "  ", put);
+  }
+  if (!since.empty()) {
+    put(",\n  \"since\": ");
+    put_indented(since, "  ", put);
+  }
+  return text + "\n}\n";
 }
 
 }  // namespace foredraw

@@ -10,7 +10,6 @@
 #include <foredraw/scene/vertex_groups.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace foredraw {
 
@@ -209,7 +208,7 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, const D
     for (const SubjectPart& part : subject.parts) draws.push_back(scene.draws[part.draw].name);
     json["subjects"].push_back({{"name", subject.name}, {"draws", draws}});
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return indented_text(json) + '\n';
 }
 
 }  // namespace foredraw

@@ -16,7 +16,7 @@ std::string readdressed(std::string_view report, const std::map<std::string, std
   }
   for (Json& diagnostic : json["diagnostics"]) readdress(diagnostic["file"]);
   json["pipeline"] = pipeline;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return indented_text(json) + '\n';
 }
 
 }  // namespace foredraw

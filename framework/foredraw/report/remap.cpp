@@ -1,12 +1,10 @@
 #include <foredraw/report/remap.h>
 
-#include <nlohmann/json.hpp>
+#include <foredraw/report/private/json_values.h>
 
 namespace foredraw {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json table(std::span<const std::uint32_t> numbers, const char* direction) {
   if (numbers.empty()) return nullptr;

@@ -89,7 +89,6 @@ struct StageRecord {
   std::vector<NoteRecord> notes;
   std::vector<AttachmentRecord> attachments;
   std::vector<AttachmentRecord> attachments_before;  ///< of an evaluator: what it attached to the input
-  bool from_cache = false;                           ///< an earlier run did it, in the seconds that stand here
 };
 
 struct Report {

@@ -1,249 +1,204 @@
+#include <foredraw/report/diagnostics_json.h>
 #include <foredraw/report/private/report_json.h>
 
 #include <algorithm>
-#include <array>
 
 namespace foredraw {
 
 namespace {
 
-/// What a figure says, within the object that is its own.
-void write(JsonWriter& out, const Figure& figure) {
-  out.key("value").value(figure.value());
-  out.key("unit").value(figure.unit);
-  out.key("error").value(figure.error);
-  if (!figure.denominator) return;
-  out.key("numerator").value(figure.numerator);
-  out.key("denominator").value(*figure.denominator);
+using foredraw::json_of;
+
+Json json_of(const SkipRecord& skip);
+Json json_of(const NoteRecord& note);
+Json json_of(const StageRecord& stage);
+Json json_of(const FileRecord& file);
+Json json_of(const ModuleFile& module);
+
+template <class Row>
+Json list_of(const std::vector<Row>& rows) {
+  Json list = Json::array();
+  for (const Row& row : rows) list.push_back(json_of(row));
+  return list;
 }
 
-struct Entry {
-  std::array<std::string_view, 3> parts;
-  std::size_t count;  ///< of the parts
-  const Figure* figure;
-};
+/// Puts members of another object behind those of this one.
+void add_members(Json& json, Json others) {
+  for (auto& [name, value] : others.items()) json[name] = std::move(value);
+}
+
+Json json_of(const Figure& figure) {
+  Json json = JsonObject{{"value", json_of(figure.value())}, {"unit", figure.unit}, {"error", json_of(figure.error)}};
+  if (figure.denominator) {
+    json["numerator"] = json_of(figure.numerator);
+    json["denominator"] = json_of(*figure.denominator);
+  }
+  return json;
+}
 
 /// "models.fifo-32.acmr" as models, fifo-32, acmr. What is measured apart may have dots in its name:
 /// "poses.Walk@0.5.ratio".
-Entry entry_of(std::string_view metric, const Figure& figure) {
-  const std::size_t first = metric.find('.');
-  if (first == std::string::npos) return {{metric}, 1, &figure};
-  const std::size_t last = metric.rfind('.');
-  if (first == last) return {{metric.substr(0, first), metric.substr(last + 1)}, 2, &figure};
-  return {{metric.substr(0, first), metric.substr(first + 1, last - first - 1), metric.substr(last + 1)}, 3, &figure};
+std::vector<std::string> parts_of(const std::string& metric) {
+  const std::size_t first = metric.find('.'), last = metric.rfind('.');
+  if (first == std::string::npos) return {metric};
+  if (first == last) return {metric.substr(0, first), metric.substr(last + 1)};
+  return {metric.substr(0, first), metric.substr(first + 1, last - first - 1), metric.substr(last + 1)};
 }
 
 /// Groups are objects, each where its first figure stands.
-void write(JsonWriter& out, std::vector<Entry> entries, std::size_t part) {
-  while (!entries.empty()) {
-    const std::string_view name = entries.front().parts[part];
-    const auto others =
-        std::stable_partition(entries.begin(), entries.end(), [&](const Entry& e) { return e.parts[part] == name; });
-    std::vector<Entry> group(entries.begin(), others);
-    entries.erase(entries.begin(), others);
-    out.key(name).begin('{');
-    if (group.front().count == part + 1) {
-      write(out, *group.front().figure);
-      group.erase(group.begin());
-    }
-    if (!group.empty()) write(out, std::move(group), part + 1);
-    out.end('}');
-  }
-}
-
-void write(JsonWriter& out, const Metrics& metrics) {
-  out.begin('{');
+Json json_of(const Metrics& metrics) {
+  Json json = Json::object();
   for (const auto& [plugin, by_metric] : metrics.all()) {
-    std::vector<Entry> entries;
-    for (const auto& [metric, figure] : by_metric) entries.push_back(entry_of(metric, figure));
-    out.key(plugin).begin('{');
-    write(out, std::move(entries), 0);
-    out.end('}');
-  }
-  out.end('}');
-}
-
-/// What a state says, within the object that is its own.
-void write(JsonWriter& out, const StateRecord& state) {
-  out.key("triangles").value(state.triangles);
-  out.key("vertices").value(state.vertices);
-  write(out.key("metrics"), state.metrics);
-}
-
-void write(JsonWriter& out, const StateRecord& after, const StateRecord& before, bool optimized) {
-  write(out, after);
-  if (!optimized) return;
-  out.key("before").begin('{');
-  write(out, before);
-  out.end('}');
-}
-
-void write(JsonWriter& out, const Traits& traits) {
-  out.key("traits").begin('[');
-  for (const Trait trait : traits) out.value(trait);
-  out.end(']');
-}
-
-void write(JsonWriter& out, const DrawRecord& draw, bool optimized) {
-  out.begin('{');
-  out.key("name").value(draw.name);
-  write(out, draw.traits);
-  out.key("facts").begin('{');
-  for (const auto& [name, count] : named_counts(draw.facts)) out.key(name).value(count);
-  out.end('}');
-  write(out, draw.after, draw.before, optimized);
-  if (!draw.levels.empty()) {
-    out.key("levels").begin('[');
-    for (const LevelRecord& level : draw.levels) {
-      out.begin('{');
-      write(out, level.after, level.before, optimized);
-      write(out, level.traits);
-      out.key("error").value(static_cast<double>(level.error));
-      out.end('}');
+    Json& own = json[plugin] = Json::object();
+    for (const auto& [metric, figure] : by_metric) {
+      Json* at = &own;
+      for (const std::string& part : parts_of(metric)) at = &(*at)[part];
+      add_members(*at, json_of(figure));
     }
-    out.end(']');
   }
-  out.end('}');
+  return json;
 }
 
-void write(JsonWriter& out, const std::vector<AttachmentRecord>& attachments) {
-  out.begin('[');
-  for (const AttachmentRecord& attachment : attachments) write(out, attachment);
-  out.end(']');
+Json json_of(const StateRecord& state) {
+  return JsonObject{{"triangles", state.triangles}, {"vertices", state.vertices}, {"metrics", json_of(state.metrics)}};
 }
 
-void write(JsonWriter& out, const SkipRecord& skip) {
-  out.begin('{');
-  out.key("code").value(skip.code);
-  out.key("reason").value(skip.reason);
-  out.key("places").begin('[');
-  for (const std::string& place : skip.about) out.value(place);
-  out.end(']');
-  out.end('}');
+Json states_of(const StateRecord& after, const StateRecord& before, bool optimized) {
+  Json json = json_of(after);
+  if (optimized) json["before"] = json_of(before);
+  return json;
 }
 
-void write(JsonWriter& out, const NoteRecord& note) {
-  out.begin('{');
-  out.key("place").value(note.about);
-  out.key("code").value(note.code);
-  out.key("message").value(note.message);
-  out.end('}');
-}
+Json json_of(const Traits& traits) { return std::vector<std::string>(traits.begin(), traits.end()); }
 
-void write(JsonWriter& out, const StageRecord& stage) {
-  out.begin('{');
-  out.key("use").value(stage.use);
-  out.key("text").value(stage.text);
-  out.key("kind").value(to_text(stage.kind));
-  out.key("seconds").value(stage.seconds);
-  out.key("places").value(stage.loops_over);
-  out.key("changed").value(stage.changed);
-  out.key("candidates").value(stage.candidates);
-  out.key("skipped").begin('[');
-  for (const SkipRecord& skip : stage.skipped) write(out, skip);
-  out.end(']');
-  out.key("notes").begin('[');
-  for (const NoteRecord& note : stage.notes) write(out, note);
-  out.end(']');
-  if (stage.from_cache) out.key("cached").value(true);
-  if (!stage.rounds.empty()) {
-    out.key("rounds").begin('[');
-    for (const double seconds : stage.rounds) out.value(seconds);
-    out.end(']');
+Json json_of(const DrawRecord& draw, bool optimized) {
+  Json json = JsonObject{{"name", draw.name}, {"traits", json_of(draw.traits)}, {"facts", Json::object()}};
+  for (const auto& [name, count] : named_counts(draw.facts)) json["facts"][std::string(name)] = count;
+  add_members(json, states_of(draw.after, draw.before, optimized));
+  if (draw.levels.empty()) return json;
+  Json& levels = json["levels"] = Json::array();
+  for (const LevelRecord& level : draw.levels) {
+    Json one = states_of(level.after, level.before, optimized);
+    one["traits"] = json_of(level.traits);
+    one["error"] = json_of(static_cast<double>(level.error));
+    levels.push_back(std::move(one));
   }
-  if (stage.memory) out.key("memory").value(*stage.memory);
-  if (!stage.attachments.empty()) write(out.key("attachments"), stage.attachments);
+  return json;
+}
+
+Json json_of(const SkipRecord& skip) {
+  return JsonObject{{"code", skip.code}, {"reason", skip.reason}, {"places", skip.about}};
+}
+
+Json json_of(const NoteRecord& note) {
+  return JsonObject{{"place", note.about}, {"code", note.code}, {"message", note.message}};
+}
+
+Json json_of(const StageRecord& stage) {
+  Json json = JsonObject{{"use", stage.use},
+                         {"text", stage.text},
+                         {"kind", to_text(stage.kind)},
+                         {"seconds", json_of(stage.seconds)},
+                         {"places", stage.loops_over},
+                         {"changed", stage.changed},
+                         {"candidates", stage.candidates},
+                         {"skipped", list_of(stage.skipped)},
+                         {"notes", list_of(stage.notes)}};
+  if (!stage.rounds.empty()) json["rounds"] = list_of(stage.rounds);
+  if (stage.memory) json["memory"] = *stage.memory;
+  if (!stage.attachments.empty()) json["attachments"] = list_of(stage.attachments);
   if (!stage.attachments_before.empty()) {
-    out.key("before").begin('{');
-    write(out.key("attachments"), stage.attachments_before);
-    out.end('}');
+    json["before"] = JsonObject{{"attachments", list_of(stage.attachments_before)}};
   }
-  out.end('}');
+  return json;
 }
 
-void write(JsonWriter& out, const std::vector<StageRecord>& stages) {
-  out.begin('[');
-  for (const StageRecord& stage : stages) write(out, stage);
-  out.end(']');
+Json json_of(const FileRecord& file) {
+  Json json = JsonObject{{"path", file.path}, {"bytes", file.bytes}};
+  if (!file.hash.empty()) json["hash"] = file.hash;
+  return json;
 }
 
-void write(JsonWriter& out, const FileRecord& file) {
-  out.begin('{');
-  out.key("path").value(file.path);
-  out.key("bytes").value(file.bytes);
-  if (!file.hash.empty()) out.key("hash").value(file.hash);
-  out.end('}');
+Json json_of(const ModuleFile& module) {
+  return JsonObject{{"path", module.path},       {"bytes", module.bytes},
+                    {"hash", module.hash},       {"vendor", module.vendor},
+                    {"version", module.version}, {"runs", module.is_inside ? "inside" : "apart"}};
 }
 
-void write(JsonWriter& out, const ModuleFile& module) {
-  out.begin('{');
-  out.key("path").value(module.path);
-  out.key("bytes").value(module.bytes);
-  out.key("hash").value(module.hash);
-  out.key("vendor").value(module.vendor);
-  out.key("version").value(module.version);
-  out.key("runs").value(module.is_inside ? "inside" : "apart");
-  out.end('}');
-}
-
-/// What is left out where there is none.
-template <class Row>
-void write_any(JsonWriter& out, std::string_view key, const std::vector<Row>& rows) {
-  if (rows.empty()) return;
-  out.key(key).begin('[');
-  for (const Row& row : rows) write(out, row);
-  out.end(']');
-}
-
-void write_evaluators(JsonWriter& out, const Report& report) {
-  out.begin('{');
+Json evaluators_of(const Report& report) {
+  Json json = Json::object();
   for (const auto& [name, options] : report.evaluator_options) {
-    out.key(name).begin('{');
-    out.key("options").begin('{');
-    for (const auto& [option, value] : options) write(out.key(option), value);
-    out.end('}');
-    out.end('}');
+    Json& own = json[name] = JsonObject{{"options", Json::object()}};
+    for (const auto& [option, value] : options) own["options"][option] = json_of(value);
   }
-  out.end('}');
+  return json;
+}
+
+/// All that stands before the draws.
+Json head_of(const Report& report) {
+  Json json = JsonObject{{"report", report_version}, {"command", report.command}, {"input", json_of(report.input)}};
+  if (!report.output.path.empty()) json["output"] = json_of(report.output);
+  if (!report.named.empty()) json["named"] = list_of(report.named);
+  if (!report.modules.empty()) json["modules"] = list_of(report.modules);
+  json["pipeline"] = report.pipeline;
+  json["seed"] = report.seed;
+  json["threads"] = report.threads;
+  json["machine"] = report.machine;
+  json["seconds"] = json_of(report.seconds);
+  json["peak-memory"] = report.peak_memory;
+  json["totals"] = states_of(report.after, report.before, report.optimized);
+  json["evaluators"] = evaluators_of(report);
+  return json;
+}
+
+/// All that stands behind them.
+Json tail_of(const Report& report) {
+  return JsonObject{{"stages", list_of(report.stages)},
+                    {"measures", list_of(report.measures)},
+                    {"diagnostics", list_of(report.diagnostics)}};
 }
 
 }  // namespace
 
-void write(JsonWriter& out, const Report& report) {
-  out.begin('{');
-  out.key("report").value(report_version);
-  out.key("command").value(report.command);
-  write(out.key("input"), report.input);
-  if (!report.output.path.empty()) write(out.key("output"), report.output);
-  write_any(out, "named", report.named);
-  write_any(out, "modules", report.modules);
-  out.key("pipeline").value(report.pipeline);
-  out.key("seed").value(report.seed);
-  out.key("threads").value(report.threads);
-  out.key("machine").value(report.machine);
-  out.key("seconds").value(report.seconds);
-  out.key("peak-memory").value(report.peak_memory);
-  out.key("totals").begin('{');
-  write(out, report.after, report.before, report.optimized);
-  out.end('}');
-  write_evaluators(out.key("evaluators"), report);
-  out.key("draws").begin('[');
-  for (const DrawRecord& draw : report.draws) write(out, draw, report.optimized);
-  out.end(']');
-  write(out.key("stages"), report.stages);
-  write(out.key("measures"), report.measures);
-  write(out.key("diagnostics"), report.diagnostics);
-  out.end('}');
+Json json_of(const Report& report) {
+  Json json = head_of(report);
+  Json& draws = json["draws"] = Json::array();
+  for (const DrawRecord& draw : report.draws) draws.push_back(json_of(draw, report.optimized));
+  add_members(json, tail_of(report));
+  return json;
 }
 
 void write_json(const Report& report, const std::function<void(std::string_view)>& put) {
-  JsonWriter out(put);
-  write(out, report);
-  out.finish();
+  const std::string head = indented_text(head_of(report)), tail = indented_text(tail_of(report));
+  put(std::string_view(head).substr(0, head.rfind('\n')));
+  put(",\n  \"draws\": [");
+  for (const DrawRecord& draw : report.draws) {
+    put(&draw == report.draws.data() ? "\n    " : ",\n    ");
+    put_indented(indented_text(json_of(draw, report.optimized)), "    ", put);
+  }
+  put(report.draws.empty() ? "]," : "\n  ],");
+  put(std::string_view(tail).substr(1));  // without its bracket
+  put("\n");
 }
 
 std::string to_json(const Report& report) {
-  return json_text([&](JsonWriter& out) { write(out, report); });
+  std::string text;
+  write_json(report, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::string to_json(const Diagnostics& diagnostics) {
+  return indented_text(JsonObject{{"diagnostics", list_of(diagnostics.all())}}) + '\n';
+}
+
+void put_indented(std::string_view text, std::string_view indent, const std::function<void(std::string_view)>& put) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  while (!text.empty()) {
+    const std::size_t line = std::min(text.find('\n'), text.size() - 1) + 1;
+    put(text.substr(0, line));
+    text.remove_prefix(line);
+    if (!text.empty()) put(indent);
+  }
 }
 
 }  // namespace foredraw

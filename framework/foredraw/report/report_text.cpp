@@ -172,8 +172,7 @@ std::string stages_text(const Report& report) {
   if (report.stages.empty()) return "";
   Table table({"stage", "changed", "time"});
   for (const StageRecord& stage : report.stages) {
-    const char* when = stage.from_cache ? ", from the cache" : "";  // it took so long then
-    table.add({stage.text, changed_text(stage), time_text(stage.seconds) + when});
+    table.add({stage.text, changed_text(stage), time_text(stage.seconds)});
   }
   std::string text = '\n' + table.text();
   for (const StageRecord& stage : report.stages) text += stage_text(stage);

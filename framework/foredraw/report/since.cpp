@@ -136,7 +136,7 @@ std::string Since::to_json() const {
   }
   const Json json{{"baseline", name_}, {"changed", changed}, {"same", same_},
                   {"failed", lost_},   {"new", new_},        {"gone", gone()}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return indented_text(json);
 }
 
 }  // namespace foredraw

@@ -1,6 +1,5 @@
 #include <foredraw/report/stored_report.h>
 
-#include <foredraw/report/private/json_places.h>
 #include <foredraw/report/private/json_values.h>
 
 #include <algorithm>
@@ -14,25 +13,13 @@ namespace foredraw {
 
 namespace {
 
-/// A member of the report alone: most of its text are draws and stages, which nobody here asks for.
-class Members {
- public:
-  explicit Members(std::string_view report) : members_(members_in(report)) {}
-  bool has(std::string_view key) const { return find(key) != members_.end(); }
-  Json at(std::string_view key) const {
-    const auto member = find(key);
-    if (member == members_.end()) throw std::invalid_argument("is no report: '" + std::string(key) + "' is missing");
-    return Json::parse(member->second);
-  }
-
- private:
-  using Each = std::vector<std::pair<std::string_view, std::string_view>>;
-  Each::const_iterator find(std::string_view key) const {
-    return std::ranges::find(members_, key, &Each::value_type::first);
-  }
-
-  Each members_;
-};
+/// The report without draws and stages, which are most of its text and which nobody here asks for.
+Json summary_in(std::string_view report) {
+  return Json::parse(report, [](int depth, Json::parse_event_t event, const Json& value) {
+    const bool is_member = depth == 1 && event == Json::parse_event_t::key;
+    return !is_member || (value != "draws" && value != "stages" && value != "measures");
+  });
+}
 
 /// What is not finite was written as null.
 double number_in(const Json& json) {
@@ -100,16 +87,15 @@ Diagnostic diagnostic_in(const Json& json) {
 
 StoredReport stored_report(std::string_view json, const Registry& registry) {
   try {
-    const Members report(json);
+    const Json report = summary_in(json);
     StoredReport stored;
     stored.input = file_in(report.at("input"));
-    if (report.has("output")) stored.output = file_in(report.at("output"));
-    const Json totals = report.at("totals");
+    if (report.contains("output")) stored.output = file_in(report.at("output"));
+    const Json& totals = report.at("totals");
     stored.after = state_in(totals, registry);
     stored.optimized = totals.contains("before");
     if (stored.optimized) stored.before = state_in(totals["before"], registry);
-    const Json diagnostics = report.at("diagnostics");
-    for (const Json& diagnostic : diagnostics) stored.diagnostics.push_back(diagnostic_in(diagnostic));
+    for (const Json& diagnostic : report.at("diagnostics")) stored.diagnostics.push_back(diagnostic_in(diagnostic));
     return stored;
   } catch (const Json::exception& mistake) {
     throw std::invalid_argument(mistake.what());

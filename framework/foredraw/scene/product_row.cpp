@@ -4,6 +4,12 @@
 
 namespace foredraw {
 
+const ExtensionValue& needed_member(const ExtensionValue& of, const char* name) {
+  const ExtensionValue* value = of.member(name);
+  if (value == nullptr) throw WrongExtension(std::string("has no '") + name + "'");
+  return *value;
+}
+
 std::vector<std::string> ProductRow::follow(const Scene&, Scene& after) const {
   const std::string why = difference(after);
   if (why.empty()) return {};

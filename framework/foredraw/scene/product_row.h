@@ -6,6 +6,8 @@
 #include <foredraw/scene/extension_value.h>
 #include <foredraw/scene/scene.h>
 
+#include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <variant>
@@ -44,6 +46,26 @@ class ExtensionReader {
   /// Nothing where there is no such accessor, or it is empty. Asked twice it is the same handle.
   virtual std::optional<AccessorData> accessor(std::size_t number) = 0;
 };
+
+/// The accessor that `number` names, as rows of T, whose components are all of one type. Nothing where it names none,
+/// or one of another format.
+template <class T>
+std::optional<Shared<T>> rows_of(ExtensionReader& from, const ExtensionValue* number, Component component) {
+  const auto data = number != nullptr && number->whole() ? from.accessor(*number->whole()) : std::nullopt;
+  const auto components = static_cast<std::uint8_t>(sizeof(T) / bytes_of(component));
+  if (!data || !(data->format == Format{component, components, false, sizeof(T)})) return std::nullopt;
+  std::vector<T> rows(data->count);
+  std::memcpy(rows.data(), data->bytes.view().data(), data->bytes.size());
+  return Shared<T>(std::move(rows));
+}
+
+/// What is wrong with an extension, as the rest of a sentence; caught where reading began.
+struct WrongExtension : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The member, or WrongExtension.
+const ExtensionValue& needed_member(const ExtensionValue& of, const char* name);
 
 class ExtensionWriter {
  public:
@@ -131,6 +153,14 @@ class ProductRow {
   /// without folders.
   virtual SideFile side_file(const Scene&, std::string_view extension, const std::string& beside) const;
   virtual ProductText told(const Scene& scene) const = 0;
+
+ protected:
+  /// Puts what follow() has left of the product in its place; `is_empty`: none of it.
+  template <class Product>
+  void put_left(Scene& after, Product left, bool is_empty) const {
+    if (is_empty) return leave_out(after);
+    after.products.set(std::move(left));
+  }
 
  private:
   ProductCard card_;

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <string_view>
 #include <vector>
 
 namespace foredraw {
@@ -22,5 +23,8 @@ struct Views {
 
   friend bool operator==(const Views&, const Views&) = default;
 };
+
+/// True if the word of a view set is the path of a file: it has a dot or a slash.
+inline bool is_view_list(std::string_view views) { return views.find_first_of("./") != std::string_view::npos; }
 
 }  // namespace foredraw

@@ -1,6 +1,6 @@
 #include <foredraw/technique/options.h>
 
-#include <foredraw/viewing/view_list.h>
+#include <foredraw/scene/views.h>
 
 #include <fmt/format.h>
 

@@ -6,7 +6,6 @@
 #include <foredraw/technique/evaluator.h>
 #include <foredraw/technique/options.h>
 #include <foredraw/technique/orderer.h>
-#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/processor.h>
 
 #include <functional>
@@ -14,6 +13,8 @@
 #include <variant>
 
 namespace foredraw {
+
+class OverdrawService;  // measuring/overdraw_service.h
 
 enum class Kind { orderer, clusterer, processor, evaluator };
 std::string_view to_text(Kind kind);

@@ -1,6 +1,6 @@
 #include <foredraw/viewing/bounding_sphere.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/common.hpp>
 

@@ -1,6 +1,6 @@
 #include <foredraw/viewing/raster_part.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/viewing/bounding_sphere.h>
 
 #include <utility>

@@ -1,6 +1,6 @@
 #include <foredraw/viewing/subject_geometry.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/viewing/draw_mask.h>
 #include <foredraw/viewing/posed_positions.h>
 

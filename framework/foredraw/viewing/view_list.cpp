@@ -46,8 +46,6 @@ std::variant<View, std::string> view_in(const std::string& line, double distance
 
 }  // namespace
 
-bool is_view_list(std::string_view views) { return views.find_first_of("./") != std::string_view::npos; }
-
 std::variant<std::vector<View>, std::string> read_view_list(const std::string& path, double distance) {
   std::ifstream file(path);
   if (!file)

@@ -2,14 +2,10 @@
 #include <foredraw/scene/views.h>
 
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace foredraw {
-
-/// Whether the word of a view set is the path of a file: it has a dot or a slash.
-bool is_view_list(std::string_view views);
 
 /// Reads views from a text file, one a line, empty lines and what follows # left out:
 ///   direction x y z [weight]   from the centre to the camera, of any length

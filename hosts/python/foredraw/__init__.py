@@ -38,7 +38,6 @@ from .meshes import (
     Simplified,
     SurfaceError,
     Welded,
-    energy_collapse,
     level_attributes,
     move_vertices,
     occlusion_order,
@@ -51,7 +50,7 @@ from .meshes import (
 )
 from .one_draw import Clustered, cluster, order
 from .runs import Optimized, measure, optimize
-from .scenes import Scene, make, read, read_bytes, write
+from .scenes import Scene, make, read, read_bytes, write, write_bytes
 from .sprites import Trimmed, particle_trim, sprite_frames
 from .techniques import (
     HandedDraw,
@@ -104,7 +103,6 @@ __all__ = [
     "clusterer",
     "compare",
     "dot_rule",
-    "energy_collapse",
     "evaluator",
     "figures",
     "forsyth",
@@ -143,4 +141,5 @@ __all__ = [
     "vertex_orderer",
     "weld",
     "write",
+    "write_bytes",
 ]

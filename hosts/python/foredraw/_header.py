@@ -336,10 +336,6 @@ PROTOTYPES = {
         c_int,
         [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32],
     ),
-    "energy_collapse": (
-        c_int,
-        [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32, c_uint32, c_uint64],
-    ),
     "shell_kinds": (c_int, [c_void_p, _triangles, _places]),
     "simplify": (
         c_int,
@@ -373,6 +369,8 @@ PROTOTYPES = {
     "read": (c_int, [c_void_p, c_char_p, _pointer, _text]),
     "read_memory": (c_int, [c_void_p, c_void_p, c_uint64, c_char_p, _pointer, _text]),
     "write": (c_int, [c_void_p, c_void_p, c_char_p, _text]),
+    "write_as": (c_int, [c_void_p, c_void_p, c_char_p, c_char_p, _text]),
+    "write_memory": (c_int, [c_void_p, c_void_p, c_char_p, c_char_p, _text, _text]),
     "make_scene": (c_int, [c_void_p, POINTER(Draw), c_uint64, _pointer, _text]),
     "scene_draws": (c_uint64, [c_void_p]),
     "scene_draw": (c_int, [c_void_p, c_uint64, POINTER(Draw)]),

@@ -4,7 +4,7 @@ import ctypes
 import json
 import os
 from ctypes import byref
-from typing import Any, Dict, Union
+from typing import Any, Dict, Optional, Union
 
 from ._header import CANCELLED, DONE, NO_MEMORY, Text
 from ._library import library
@@ -18,6 +18,14 @@ def text_for_c(text: str, what: str) -> bytes:
 
 def path_for_c(path: Union[str, "os.PathLike[str]"]) -> bytes:
     return _whole(os.fsencode(path), "a path")
+
+
+def settings_for_c(settings: Dict[str, Any]) -> Optional[bytes]:
+    """A line of name="value"; None if there are none."""
+    if not settings:
+        return None
+    line = ", ".join(f"{name}={json.dumps(value)}" for name, value in settings.items())
+    return text_for_c(line, "a setting")
 
 
 def _whole(data: bytes, what: str) -> bytes:
@@ -35,9 +43,12 @@ class Told:
 
     def take(self) -> Dict[str, Any]:
         """Empty where the library had none."""
-        data = ctypes.string_at(self._text.data, self._text.length) if self._text.data else b"{}"
+        return json.loads(self.take_bytes() or b"{}")
+
+    def take_bytes(self) -> bytes:
+        data = ctypes.string_at(self._text.data, self._text.length) if self._text.data else b""
         library().text_free(self.out)
-        return json.loads(data)
+        return data
 
 
 def check(status: int, said: Dict[str, Any], result: Any = None) -> None:

@@ -170,42 +170,6 @@ def quadric_collapse(
     return made
 
 
-def energy_collapse(
-    indices: Any,
-    positions_of_vertices: Any,
-    attributes: Sequence[Weighted] = (),
-    *,
-    least: int = 0,
-    samples: int = 8,
-    seed: int = 0,
-) -> Collapses:
-    """As :func:`quadric_collapse`, by the energy of what is left: points are fitted to points of the original surface.
-    Far slower, about a millisecond an edge. Hoppe: Progressive Meshes, SIGGRAPH 1996, section 4.
-
-    Parameters
-    ----------
-    indices : array of integers, (n, 3) or (3 n,)
-    positions_of_vertices : array of numbers, (vertices, 3)
-    attributes : sequence of (array, weight), optional
-        A difference of 1 times the weight is large.
-    least : int
-        Triangles to stop at.
-    samples : int
-        Points for each triangle of the original, 1 to 100.
-    seed : int
-        Of these points.
-    """
-    mesh, places = _mesh(indices, positions_of_vertices)
-    weighted = _Weighted(attributes, mesh.vertex_count)
-    made = Collapses(mesh.vertex_count, True)
-    status = library().energy_collapse(
-        byref(made._arrays), byref(mesh), byref(places), weighted.given, len(weighted.given), count(least, "least"),
-        option("samples", samples), count(seed, "seed"),
-    )
-    check(status, mesh, attributes=weighted.told, samples=samples)
-    return made
-
-
 class _Weighted:
     """Attributes for C, and the arrays that they point to."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from . import _header as c
 from ._arrays import address
 from ._library import library
-from ._texts import Told, check, path_for_c, text_for_c
+from ._texts import Told, check, path_for_c, settings_for_c, text_for_c
 from .contexts import Context, default_context
 from .errors import Diagnostic
 from .given_draws import draw_for_c
@@ -40,9 +40,13 @@ class Scene:
         """Where triangles and vertices of that draw went, from what was read to what they are now."""
         return moves_of(self._handle, range(len(self.draws))[number])
 
-    def write(self, path: FilePath, *, context: Optional[Context] = None) -> List[Diagnostic]:
+    def write(self, path: FilePath, *, context: Optional[Context] = None, **settings: str) -> List[Diagnostic]:
         """:func:`write` of this."""
-        return write(self, path, context=context)
+        return write(self, path, context=context, **settings)
+
+    def write_bytes(self, name: FilePath = "scene.glb", *, context: Optional[Context] = None, **settings: str) -> bytes:
+        """:func:`write_bytes` of this."""
+        return write_bytes(self, name, context=context, **settings)
 
     def __repr__(self) -> str:
         return f"<foredraw scene of {len(self.draws)} draws>"
@@ -96,14 +100,39 @@ def make(draws: Iterable[Any], *, context: Optional[Context] = None) -> Scene:
     return _scene(status, pointer, told)
 
 
-def write(scene: Scene, path: FilePath, *, context: Optional[Context] = None) -> List[Diagnostic]:
-    """Write the scene, as what the extension says: all its files or none. Warnings and notes come back."""
+def write(
+    scene: Scene, path: FilePath, *, context: Optional[Context] = None, **settings: str
+) -> List[Diagnostic]:
+    """Write the scene, as what the extension says: all its files or none. Warnings and notes come back.
+
+    Parameters
+    ----------
+    **settings
+        Those of [output] in a pipeline, such as ``compression="draco"`` or ``levels="msft-lod"``. What is not given is
+        as the pipeline that made the scene says.
+    """
     told = Told()
     context = context or default_context()
-    status = library().write(context._pointer, scene._handle.pointer, path_for_c(path), told.out)
+    status = library().write_as(
+        context._pointer, scene._handle.pointer, path_for_c(path), settings_for_c(settings), told.out
+    )
     said = told.take()
     check(status, said)
     return said.get("diagnostics", [])
+
+
+def write_bytes(
+    scene: Scene, name: FilePath = "scene.glb", *, context: Optional[Context] = None, **settings: str
+) -> bytes:
+    """The bytes of the file that :func:`write` would write to that path. A scene that takes several files, as .gltf
+    does, is refused."""
+    told, file = Told(), Told()
+    context = context or default_context()
+    status = library().write_memory(
+        context._pointer, scene._handle.pointer, path_for_c(name), settings_for_c(settings), file.out, told.out
+    )
+    check(status, told.take())
+    return file.take_bytes()
 
 
 def _scene(status: int, pointer: c_void_p, told: Told) -> Scene:

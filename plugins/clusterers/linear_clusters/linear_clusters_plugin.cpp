@@ -10,9 +10,9 @@ namespace foredraw {
 
 namespace {
 
-class LinearClusters final : public Clusterer {
+class LinearClustersClusterer final : public Clusterer {
  public:
-  explicit LinearClusters(LinearClustersOptions options) : options_(options) {}
+  explicit LinearClustersClusterer(LinearClustersOptions options) : options_(options) {}
 
   Clusters cluster(const DrawView& draw, Run& run) const override {
     warn_where_out_of_reach(draw, run);
@@ -64,7 +64,7 @@ Plugin linear_clusters_plugin() {
             "higher gives more clusters, less overdraw and more shaded vertices",
             {1, 6, "times"});
   bind_options(plugin, table,
-               [](const LinearClustersOptions& options) { return std::make_unique<LinearClusters>(options); });
+               [](const LinearClustersOptions& options) { return std::make_unique<LinearClustersClusterer>(options); });
   return plugin;
 }
 

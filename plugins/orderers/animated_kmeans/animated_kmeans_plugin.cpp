@@ -40,9 +40,9 @@ struct Answer {
   ViewTally before, after;
 };
 
-class AnimatedKMeans final : public SubjectOrderer {
+class AnimatedKmeansOrderer final : public SubjectOrderer {
  public:
-  explicit AnimatedKMeans(Options options) : options_(options) {}
+  explicit AnimatedKmeansOrderer(Options options) : options_(options) {}
 
   SubjectOrders order(const SubjectView& view, Run& run) const override {
     const auto sets = shares(run.poses, options_.clips);
@@ -142,7 +142,7 @@ Plugin animated_kmeans_plugin() {
                  {1, 1024});
   table.row<int>(&Options::phi_steps, "phi-steps", "Columns of that table: steps of the view around the subject",
                  {1, 1024});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<AnimatedKMeans>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<AnimatedKmeansOrderer>(options); });
   return plugin;
 }
 

@@ -8,7 +8,7 @@ namespace foredraw {
 
 namespace {
 
-class CodecOrder final : public DrawOrderer {
+class CodecOrderOrderer final : public DrawOrderer {
  public:
   IndexOrder order(const DrawView& draw, Run& run) const override {
     IndexOrder order = codec_order(draw.indices(), draw.vertex_count());
@@ -33,7 +33,7 @@ Plugin codec_order_plugin() {
       .breaks = {traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
   };
   bind_options(plugin, OptionTable<CodecOrderOptions>(),
-               [](const CodecOrderOptions&) { return std::make_unique<CodecOrder>(); });
+               [](const CodecOrderOptions&) { return std::make_unique<CodecOrderOrderer>(); });
   return plugin;
 }
 

@@ -1,5 +1,6 @@
 #include "dot_rule.h"
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -12,9 +13,9 @@ struct DotRuleOptions {
   bool check = true;
 };
 
-class DotRule final : public DrawOrderer {
+class DotRuleOrderer final : public DrawOrderer {
  public:
-  explicit DotRule(DotRuleOptions options) : options_(options) {}
+  explicit DotRuleOrderer(DotRuleOptions options) : options_(options) {}
 
   IndexOrder order(const DrawView& draw, Run& run) const override {
     const Clusters& clusters = *draw.stream().clusters;
@@ -75,7 +76,7 @@ Plugin dot_rule_plugin() {
   table.row(&DotRuleOptions::check, "check",
             "Measure the draw's overdraw from the pipeline's views, and keep the old order where sorting does not "
             "lower it; false skips that, which is most of the time");
-  bind_options(plugin, table, [](const DotRuleOptions& options) { return std::make_unique<DotRule>(options); });
+  bind_options(plugin, table, [](const DotRuleOptions& options) { return std::make_unique<DotRuleOrderer>(options); });
   return plugin;
 }
 

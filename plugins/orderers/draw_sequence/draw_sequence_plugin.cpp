@@ -69,9 +69,9 @@ SubjectCapture captured_by_draws(const SubjectView& view, const Run& run) {
       in_small);
 }
 
-class DrawSequence final : public SubjectOrderer {
+class DrawSequenceOrderer final : public SubjectOrderer {
  public:
-  explicit DrawSequence(const DrawSequenceOptions& options) : options_(options) {}
+  explicit DrawSequenceOrderer(const DrawSequenceOptions& options) : options_(options) {}
 
   SubjectOrders order(const SubjectView& view, Run& run) const override {
     if (const std::string why = why_not(view, run); !why.empty()) {
@@ -149,7 +149,7 @@ Plugin draw_sequence_plugin() {
                  "is kept",
                  {0, 1000, "times"});
   bind_options(plugin, table,
-               [](const DrawSequenceOptions& options) { return std::make_unique<DrawSequence>(options); });
+               [](const DrawSequenceOptions& options) { return std::make_unique<DrawSequenceOrderer>(options); });
   return plugin;
 }
 

@@ -7,9 +7,9 @@ namespace foredraw {
 
 namespace {
 
-class Forsyth final : public CacheOrderer {
+class ForsythOrderer final : public CacheOrderer {
  public:
-  explicit Forsyth(ForsythOptions options) : options_(options) {}
+  explicit ForsythOrderer(ForsythOptions options) : options_(options) {}
 
   int cache_size() const override { return options_.cache_size; }
 
@@ -40,7 +40,7 @@ Plugin forsyth_plugin() {
   };
   OptionTable<ForsythOptions> table;
   table.row(&ForsythOptions::cache_size, "cache-size", "Size of the modelled LRU vertex cache", {3, 64, "entries"});
-  bind_options(plugin, table, [](const ForsythOptions& options) { return std::make_unique<Forsyth>(options); });
+  bind_options(plugin, table, [](const ForsythOptions& options) { return std::make_unique<ForsythOrderer>(options); });
   return plugin;
 }
 

@@ -7,9 +7,9 @@ namespace foredraw {
 
 namespace {
 
-class Lookahead final : public CacheOrderer {
+class LookaheadOrderer final : public CacheOrderer {
  public:
-  explicit Lookahead(LookaheadOptions options) : options_(options), cache_(cache_of(options)) {}
+  explicit LookaheadOrderer(LookaheadOptions options) : options_(options), cache_(cache_of(options)) {}
 
   int cache_size() const override { return static_cast<int>(cache_.cache_size); }
 
@@ -64,7 +64,8 @@ Plugin lookahead_plugin() {
                 {"intel", LookaheadTarget::intel}});
   table.row(&LookaheadOptions::cache_size, "cache-size",
             "Size of the FIFO vertex cache to order for, with the targets robust and fifo", {3, 256, "entries"});
-  bind_options(plugin, table, [](const LookaheadOptions& options) { return std::make_unique<Lookahead>(options); });
+  bind_options(plugin, table,
+               [](const LookaheadOptions& options) { return std::make_unique<LookaheadOrderer>(options); });
   return plugin;
 }
 

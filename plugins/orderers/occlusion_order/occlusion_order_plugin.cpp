@@ -73,9 +73,9 @@ std::optional<Found> search(const SubjectView& view, const Options& options, Run
   return found;
 }
 
-class OcclusionOrder final : public SubjectOrderer {
+class OcclusionOrderOrderer final : public SubjectOrderer {
  public:
-  explicit OcclusionOrder(Options options) : options_(options) {}
+  explicit OcclusionOrderOrderer(Options options) : options_(options) {}
 
   SubjectOrders order(const SubjectView& view, Run& run) const override {
     if (!may_overdraw(view, run)) return {};
@@ -176,7 +176,7 @@ Plugin occlusion_order_plugin() {
                  {1, 1024});
   table.row<int>(&Options::phi_steps, "phi-steps", "Columns of that table: steps of the view around the subject",
                  {1, 1024});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<OcclusionOrder>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<OcclusionOrderOrderer>(options); });
   return plugin;
 }
 

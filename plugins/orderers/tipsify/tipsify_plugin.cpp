@@ -12,9 +12,9 @@ struct Options : TipsifyOptions {
   int parts = 1;
 };
 
-class Tipsify final : public CacheOrderer {
+class TipsifyOrderer final : public CacheOrderer {
  public:
-  explicit Tipsify(const Options& options) : options_(options) {}
+  explicit TipsifyOrderer(const Options& options) : options_(options) {}
 
   int cache_size() const override { return options_.cache_size; }
 
@@ -64,7 +64,7 @@ Plugin tipsify_plugin() {
             "How many spatial parts the draw is cut into, to be ordered in parallel; more are faster, with slightly "
             "more misses. No part gets fewer than 10000 triangles",
             {1, 64, "parts"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<Tipsify>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<TipsifyOrderer>(options); });
   return plugin;
 }
 

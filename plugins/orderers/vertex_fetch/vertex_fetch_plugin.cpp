@@ -16,9 +16,9 @@ struct VertexFetchOptions {
   bool always = false;
 };
 
-class VertexFetch final : public VertexOrderer {
+class VertexFetchOrderer final : public VertexOrderer {
  public:
-  explicit VertexFetch(VertexFetchOptions options) : options_(options) {}
+  explicit VertexFetchOrderer(VertexFetchOptions options) : options_(options) {}
 
   VertexOrder order(const VertexUse& use, Run& run) const override {
     VertexOrder order = vertex_fetch(use.index_streams, use.vertices.count);
@@ -72,7 +72,8 @@ Plugin vertex_fetch_plugin() {
   OptionTable<VertexFetchOptions> table;
   table.row(&VertexFetchOptions::always, "always",
             "Renumber also where no fewer bytes are fetched: compressed indices are shorter in order of first use");
-  bind_options(plugin, table, [](const VertexFetchOptions& options) { return std::make_unique<VertexFetch>(options); });
+  bind_options(plugin, table,
+               [](const VertexFetchOptions& options) { return std::make_unique<VertexFetchOrderer>(options); });
   return plugin;
 }
 

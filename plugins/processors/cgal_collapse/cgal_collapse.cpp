@@ -2,6 +2,7 @@
 
 #include <foredraw/collapses/surface_fans.h>
 #include <foredraw/collapses/unit_frame.h>
+#include <foredraw/geometry/finite.h>
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // gcc 12 sees it inside of boost::optional and of Eigen
@@ -26,8 +27,8 @@ namespace {
 namespace simplification = CGAL::Surface_mesh_simplification;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Vertex = Mesh::Vertex_index;
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+using Vertex = SurfaceMesh::Vertex_index;
 using Place = boost::optional<Point>;
 
 Point cgal_point(const glm::dvec3& at) { return {at.x, at.y, at.z}; }
@@ -60,7 +61,7 @@ class Placement {
     const Place best = (*base_)(profile);
     if (!best) return boost::none;
     const glm::vec3 place = work_->frame.to_mesh({best->x(), best->y(), best->z()});
-    if (!(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))) return boost::none;
+    if (!is_finite(place)) return boost::none;
     return cgal_point(work_->frame.from_mesh(place));
   }
 
@@ -128,7 +129,7 @@ class Stop {
   const Work* work_;
 };
 
-class Recording : public simplification::Edge_collapse_visitor_base<Mesh> {
+class Recording : public simplification::Edge_collapse_visitor_base<SurfaceMesh> {
  public:
   Recording(Work& work, std::vector<glm::vec3>& places) : work_(&work), places_(&places) {}
 
@@ -156,23 +157,23 @@ class Recording : public simplification::Edge_collapse_visitor_base<Mesh> {
 /// Edges that rounding has left without length: CGAL would collapse them unasked.
 class Lengthless {
  public:
-  using key_type = Mesh::Edge_index;
+  using key_type = SurfaceMesh::Edge_index;
   using value_type = bool;
   using reference = bool;
   using category = boost::readable_property_map_tag;
 
-  explicit Lengthless(const Mesh& mesh) : mesh_(&mesh) {}
-  friend bool get(const Lengthless& map, Mesh::Edge_index edge) {
+  explicit Lengthless(const SurfaceMesh& mesh) : mesh_(&mesh) {}
+  friend bool get(const Lengthless& map, SurfaceMesh::Edge_index edge) {
     const auto side = map.mesh_->halfedge(edge);
     return map.mesh_->point(map.mesh_->source(side)) == map.mesh_->point(map.mesh_->target(side));
   }
 
  private:
-  const Mesh* mesh_;
+  const SurfaceMesh* mesh_;
 };
 
-Mesh mesh_of(const SurfaceFans& fans, std::span<const glm::vec3> positions, Work& work) {
-  Mesh mesh;
+SurfaceMesh mesh_of(const SurfaceFans& fans, std::span<const glm::vec3> positions, Work& work) {
+  SurfaceMesh mesh;
   for (std::size_t fan = 0; fan < fans.point.size(); ++fan) {
     const std::uint32_t p = fans.point[fan];
     const bool is_finite = work.recorder.is_finite(p);
@@ -184,7 +185,7 @@ Mesh mesh_of(const SurfaceFans& fans, std::span<const glm::vec3> positions, Work
 }
 
 template <class Cost, class Best>
-void run(Mesh& mesh, Work& work, std::vector<glm::vec3>& places, const Cost& cost, const Best& best) {
+void run(SurfaceMesh& mesh, Work& work, std::vector<glm::vec3>& places, const Cost& cost, const Best& best) {
   simplification::edge_collapse(mesh, Stop(work),
                                 CGAL::parameters::edge_is_constrained_map(Lengthless(mesh))
                                     .get_cost(cost)
@@ -200,13 +201,13 @@ CollapseSequence cgal_collapse(std::span<const glm::vec3> positions, std::span<c
   CollapseRecorder recorder(positions, indices);
   const SurfaceFans fans = surface_fans(recorder.points());
   Work work{recorder, unit_frame(positions, recorder), options, fans.point, {}};
-  Mesh mesh = mesh_of(fans, positions, work);
+  SurfaceMesh mesh = mesh_of(fans, positions, work);
   std::vector<glm::vec3> places(positions.begin(), positions.end());
   if (options.cost == CgalCost::lindstrom_turk) {
-    run(mesh, work, places, simplification::LindstromTurk_cost<Mesh>(),
-        simplification::LindstromTurk_placement<Mesh>());
+    run(mesh, work, places, simplification::LindstromTurk_cost<SurfaceMesh>(),
+        simplification::LindstromTurk_placement<SurfaceMesh>());
   } else {
-    const simplification::GarlandHeckbert_plane_policies<Mesh, Kernel> policies(mesh);
+    const simplification::GarlandHeckbert_plane_policies<SurfaceMesh, Kernel> policies(mesh);
     run(mesh, work, places, policies.get_cost(), policies.get_placement());
   }
   return recorder.take();

@@ -2,7 +2,7 @@
 // The edge collapse of CGAL. Lindstrom, Turk: Fast and Memory Efficient Polygonal Simplification, Visualization 1998;
 // Garland, Heckbert: Surface Simplification Using Quadric Error Metrics, SIGGRAPH 1997.
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

@@ -10,21 +10,6 @@ struct Options : CgalCollapseOptions {
   double until = CollapseProcessorOptions{}.until;
 };
 
-class CgalCollapse final : public Simplifier {
- public:
-  explicit CgalCollapse(const CgalCollapseOptions& options) : options_(options) {}
-
-  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
-    CgalCollapseOptions options = options_;
-    options.least = least;
-    options.cancel = run.cancel;
-    return cgal_collapse(of.mesh.positions, of.mesh.indices, options);
-  }
-
- private:
-  CgalCollapseOptions options_;
-};
-
 }  // namespace
 
 Plugin cgal_collapse_plugin() {
@@ -41,7 +26,13 @@ Plugin cgal_collapse_plugin() {
       .row(&Options::until, "until", "Share of a mesh's triangles to stop at", {.least = 0, .most = 1})
       .row(&Options::keep_sides, "keep-sides", "Whether collapses that turn a triangle over are refused");
   bind_options(plugin, table, [](const Options& options) -> Technique {
-    return collapse_processor(std::make_unique<const CgalCollapse>(options), {.until = options.until});
+    const auto find = [options](const MeshInScene& of, std::size_t least, Run& run) {
+      CgalCollapseOptions own = options;
+      own.least = least;
+      own.cancel = run.cancel;
+      return cgal_collapse(of.mesh.positions, of.mesh.indices, own);
+    };
+    return collapse_processor(find, {.until = options.until});
   });
   return plugin;
 }

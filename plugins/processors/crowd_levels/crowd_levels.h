@@ -6,7 +6,7 @@
 
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/crowd_levels.h>
+#include <foredraw/crowds/crowd_levels.h>
 #include <foredraw/scene/scene.h>
 
 #include <span>

@@ -12,9 +12,9 @@ namespace foredraw {
 
 namespace {
 
-class MakeCrowdLevels final : public Processor {
+class CrowdLevelsProcessor final : public Processor {
  public:
-  explicit MakeCrowdLevels(const CrowdLevelsOptions& options) : options_(options) {}
+  explicit CrowdLevelsProcessor(const CrowdLevelsOptions& options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<Subject> subjects = subjects_of(scene, run.subjects);
@@ -131,7 +131,7 @@ Plugin crowd_levels_plugin() {
   table.row(&CrowdLevelsOptions::samples, "samples",
             "Points on each surface from which the distances of simplified levels are measured", {16, 1'000'000});
   bind_options(plugin, table,
-               [](const CrowdLevelsOptions& options) { return std::make_unique<MakeCrowdLevels>(options); });
+               [](const CrowdLevelsOptions& options) { return std::make_unique<CrowdLevelsProcessor>(options); });
   return plugin;
 }
 

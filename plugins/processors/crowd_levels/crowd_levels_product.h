@@ -1,8 +1,8 @@
 #pragma once
 // The row of what crowd-levels makes: how a CrowdLevels is read, written, followed, checked and told.
 
+#include <foredraw/crowds/crowd_levels.h>
 #include <foredraw/runtime/crowd_table.h>
-#include <foredraw/scene/crowd_levels.h>
 #include <foredraw/scene/product_row.h>
 
 #include <variant>

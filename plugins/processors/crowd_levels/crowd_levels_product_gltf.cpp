@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <stdexcept>
 
 namespace foredraw {
 
@@ -21,19 +20,10 @@ constexpr CrowdClass all_classes[] = {CrowdClass::tessellated, CrowdClass::plain
 constexpr foredraw_spacing all_spacings[] = {FOREDRAW_SPACING_EQUAL, FOREDRAW_SPACING_FRACTIONAL_ODD,
                                              FOREDRAW_SPACING_FRACTIONAL_EVEN};
 
-/// What is wrong, as the rest of a sentence; caught where reading began.
-struct Wrong : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-const ExtensionValue& member(const ExtensionValue& of, const char* name) {
-  const ExtensionValue* value = of.member(name);
-  if (value == nullptr) throw Wrong(fmt::format("has no '{}'", name));
-  return *value;
-}
+using Wrong = WrongExtension;
 
 float distance(const ExtensionValue& of, const char* name) {
-  const auto number = member(of, name).number();
+  const auto number = needed_member(of, name).number();
   if (!number || !(*number >= 0 && *number <= most_length)) {
     throw Wrong(fmt::format("has a '{}' that is not a number from 0 to 3.4e38", name));
   }
@@ -41,7 +31,7 @@ float distance(const ExtensionValue& of, const char* name) {
 }
 
 std::uint32_t whole(const ExtensionValue& of, const char* name, std::uint32_t least, std::uint32_t most) {
-  const auto number = member(of, name).whole();
+  const auto number = needed_member(of, name).whole();
   if (!number || *number < least || *number > most) {
     throw Wrong(fmt::format("has a '{}' that is not a whole number from {} to {}", name, least, most));
   }
@@ -50,7 +40,7 @@ std::uint32_t whole(const ExtensionValue& of, const char* name, std::uint32_t le
 
 template <class All>
 auto choice(const ExtensionValue& of, const char* name, const All& all) {
-  const std::string* text = member(of, name).text();
+  const std::string* text = needed_member(of, name).text();
   const auto found =
       std::ranges::find_if(all, [&](const auto each) { return text != nullptr && *text == to_text(each); });
   if (found == std::end(all)) throw Wrong(fmt::format("has a '{}' that is not known", name));
@@ -100,7 +90,7 @@ CrowdLevels::OfDraw draw_from(const ExtensionValue& value, DrawId id, foredraw_s
   draw.draw = id;
   draw.crowd = whole(value, "crowd", 0, any);
   draw.area = distance(value, "area");
-  const List* levels = member(value, "levels").list();
+  const List* levels = needed_member(value, "levels").list();
   if (levels == nullptr || levels->empty() || levels->size() > CrowdLevels::most_levels) {
     throw Wrong(fmt::format("has 'levels' that are not an array of 1 to {}", CrowdLevels::most_levels));
   }

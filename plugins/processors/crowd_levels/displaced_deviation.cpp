@@ -1,5 +1,8 @@
 #include "displaced_deviation.h"
 
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/triangle_area.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -54,8 +57,7 @@ Between between(const TessellationPattern& pattern, const TessellationPoint& poi
 
 double area_of(const MovedSurface& surface, std::size_t triangle) {
   const std::uint32_t* v = &surface.indices[3 * triangle];
-  const glm::dvec3 a = surface.positions[v[0]], b = surface.positions[v[1]], c = surface.positions[v[2]];
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
+  return triangle_area(surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]);
 }
 
 /// Points of the pattern on some triangles, moved: [triangle - first][point].
@@ -70,8 +72,6 @@ std::vector<glm::vec3> moved(const MovedSurface& surface, const std::vector<Tess
                : std::vector<float>(mesh.samples.size(), 0);
   return displaced_positions(mesh, surface.indices, surface.positions, surface.directions, by);
 }
-
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 struct Sums {
   double largest = 0, squares = 0, area = 0;
@@ -101,9 +101,8 @@ void add(Sums& sums, double area, std::span<const glm::vec3> finest, const auto&
 double area_of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
   double sum = 0;
   for (std::size_t t = 0; 3 * t + 2 < indices.size(); ++t) {
-    const glm::dvec3 a = positions[indices[3 * t]], b = positions[indices[3 * t + 1]],
-                     c = positions[indices[3 * t + 2]];
-    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+    const std::uint32_t* v = &indices[3 * t];
+    const double area = triangle_area(positions[v[0]], positions[v[1]], positions[v[2]]);
     if (std::isfinite(area)) sum += area;
   }
   return sum;
@@ -132,7 +131,9 @@ std::vector<Deviation> displaced_deviations(const MovedSurface& surface, std::sp
     };
     std::vector<std::uint32_t> finite;
     for (std::uint32_t t = first; t < end; ++t) {
-      if (std::isfinite(area_of(surface, t)) && std::ranges::all_of(on(t), is_finite)) finite.push_back(t);
+      if (std::isfinite(area_of(surface, t)) &&
+          std::ranges::all_of(on(t), [](const glm::vec3& p) { return is_finite(p); }))
+        finite.push_back(t);
     }
     for (const std::uint32_t t : finite) {
       const glm::vec3* own = flat.data() + (t - first) * fine.points.size();

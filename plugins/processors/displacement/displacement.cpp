@@ -1,7 +1,7 @@
 #include "displacement.h"
 
 #include <foredraw/analysis/diagonal.h>
-#include <foredraw/scene/displacement_stamp.h>
+#include <foredraw/displaced/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/scene/scaled_texcoords.h>
 

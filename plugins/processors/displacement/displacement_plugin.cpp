@@ -19,9 +19,9 @@ struct Options {
   std::optional<int> uv;
 };
 
-class GiveDisplacement final : public Processor {
+class DisplacementProcessor final : public Processor {
  public:
-  explicit GiveDisplacement(Options options) : options_(std::move(options)) {}
+  explicit DisplacementProcessor(Options options) : options_(std::move(options)) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     GivenDisplacement given{{}, options_.factor, options_.offset, {}};
@@ -95,7 +95,7 @@ Plugin displacement_plugin() {
             {-1e30, 1e30, "units"});
   table.row(&Options::uv, "uv",
             "Number of the texture coordinates that place the map; without it, the material's, or 0", {0, 15});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<GiveDisplacement>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementProcessor>(options); });
   return plugin;
 }
 

@@ -8,22 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace foredraw {
 
 namespace {
 
 using Members = ExtensionValue::Members;
-
-template <class T>
-std::optional<Shared<T>> values_of(ExtensionReader& from, const ExtensionValue* number, Component component) {
-  const auto data = number != nullptr && number->whole() ? from.accessor(*number->whole()) : std::nullopt;
-  if (!data || !(data->format == Format{component, 1, false, sizeof(T)})) return std::nullopt;
-  std::vector<T> values(data->count);
-  std::memcpy(values.data(), data->bytes.view().data(), values.size() * sizeof(T));
-  return Shared(std::move(values));
-}
 
 std::optional<float> number_of(const ExtensionValue& value, const char* key) {
   const ExtensionValue* member = value.member(key);
@@ -47,8 +37,8 @@ class BakedHeightsRow final : public ProductRow {
     for (DrawId id = 0; id < scene.draws.size(); ++id) {
       const ExtensionValue* value = from.of_draw(id);
       if (value == nullptr) continue;
-      const auto levels = values_of<std::uint8_t>(from, value->member("levels"), Component::uint8);
-      const auto heights = values_of<std::uint16_t>(from, value->member("heights"), Component::uint16);
+      const auto levels = rows_of<std::uint8_t>(from, value->member("levels"), Component::uint8);
+      const auto heights = rows_of<std::uint16_t>(from, value->member("heights"), Component::uint16);
       const ExtensionValue* bits = value->member("bits");
       const auto factor = number_of(*value, "factor"), offset = number_of(*value, "offset");
       if (!levels || !heights) return "an accessor is missing, or of another type";
@@ -90,8 +80,9 @@ class BakedHeightsRow final : public ProductRow {
       const bool is_new = was == nullptr || std::ranges::find(was->draws, draw) == was->draws.end();
       if (!is_new) {
         const bool is_there = draw.draw < after.draws.size() && after.draws[draw.draw].levels.size() == 1;
-        now =
-            is_there ? bake::moved(draw, before.draws[draw.draw].full(), after.draws[draw.draw].full()) : std::nullopt;
+        now = is_there ? processors::displacement_bake::moved(draw, before.draws[draw.draw].full(),
+                                                              after.draws[draw.draw].full())
+                       : std::nullopt;
       }
       if (now && difference(*now, after.draws[now->draw]).empty()) {
         left.draws.push_back(std::move(*now));
@@ -101,11 +92,8 @@ class BakedHeightsRow final : public ProductRow {
                      " are left out: its triangles were replaced");
       if (draw.draw < after.draws.size()) after.draws[draw.draw].traits.remove(traits::displaced);
     }
-    if (left.draws.empty()) {
-      after.products.erase(BakedHeights::product);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The row of what displacement-bake makes: the heights of cages.
 
-#include <foredraw/scene/baked_heights.h>
+#include <foredraw/displaced/baked_heights.h>
 #include <foredraw/scene/product_row.h>
 
 namespace foredraw {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw::bake {
+namespace foredraw::processors::displacement_bake {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<float> cast_heights(const Cage& cage, const TessellatedMesh& mesh, c
   return heights;
 }
 
-}  // namespace foredraw::bake
+}  // namespace foredraw::processors::displacement_bake

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace foredraw::bake {
+namespace foredraw::processors::displacement_bake {
 
 /// A surface that rays are cast at. It keeps copies.
 class Target {
@@ -38,4 +38,4 @@ struct Cage {
 std::vector<float> cast_heights(const Cage& cage, const TessellatedMesh& mesh, const Target& target,
                                 const Executor& executor);
 
-}  // namespace foredraw::bake
+}  // namespace foredraw::processors::displacement_bake

@@ -34,14 +34,15 @@ void quantize(std::span<const float> heights, const BakeOptions& options, BakedC
   }
 }
 
-BakedCage baked_at(const bake::Cage& cage, std::vector<std::uint8_t> levels, const bake::Target& target,
-                   const Surface& surface, const BakeOptions& options, const Executor& executor) {
+BakedCage baked_at(const processors::displacement_bake::Cage& cage, std::vector<std::uint8_t> levels,
+                   const processors::displacement_bake::Target& target, const Surface& surface,
+                   const BakeOptions& options, const Executor& executor) {
   BakedCage baked;
   baked.levels = std::move(levels);
   TessellatedMesh mesh =
       tessellated_mesh(cage.indices, static_cast<std::uint32_t>(cage.positions.size()),
                        baked_levels(baked.levels, cage.indices, cage.positions), TessellationSpacing::equal);
-  quantize(bake::cast_heights(cage, mesh, target, executor), options, baked);
+  quantize(processors::displacement_bake::cast_heights(cage, mesh, target, executor), options, baked);
   baked.positions = displaced_positions(mesh, cage.indices, cage.positions, cage.directions,
                                         height_displacements(baked.heights, baked.bits, baked.factor, baked.offset));
   baked.indices = std::move(mesh.indices);
@@ -54,15 +55,16 @@ BakedCage baked_at(const bake::Cage& cage, std::vector<std::uint8_t> levels, con
 
 }  // namespace
 
-BakedCage bake_heights(const bake::Cage& cage, const bake::Target& target, const Surface& surface,
+BakedCage bake_heights(const processors::displacement_bake::Cage& cage,
+                       const processors::displacement_bake::Target& target, const Surface& surface,
                        const BakeOptions& options, const Executor& executor) {
-  const auto uniform = bake::uniform_heights(cage, target, options.finest, executor);
+  const auto uniform = processors::displacement_bake::uniform_heights(cage, target, options.finest, executor);
   // What is predicted is the deviation along directions from the finest level. The true distance is less on slopes, and
   // more where even that level is too coarse; so it is measured, and asked for again.
   double asked = options.rms;
   BakedCage best;
   for (int round = 0; round < 4; ++round) {
-    auto levels = bake::levels_for(cage, uniform, asked);
+    auto levels = processors::displacement_bake::levels_for(cage, uniform, asked);
     if (levels == best.levels) break;
     BakedCage baked = baked_at(cage, std::move(levels), target, surface, options, executor);
     const double times = baked.rms / options.rms;

@@ -8,7 +8,7 @@
 
 #include "cast_heights.h"
 
-#include <foredraw/scene/baked_heights.h>
+#include <foredraw/displaced/baked_heights.h>
 
 #include <optional>
 
@@ -34,7 +34,8 @@ struct BakedCage {
 };
 
 /// Bakes a surface onto a cage: with the fewest heights that come within the rms, or as near as the cage allows.
-BakedCage bake_heights(const bake::Cage& cage, const bake::Target& target, const Surface& surface,
+BakedCage bake_heights(const processors::displacement_bake::Cage& cage,
+                       const processors::displacement_bake::Target& target, const Surface& surface,
                        const BakeOptions& options, const Executor& executor);
 
 /// Bytes on a GPU: positions of 16 bits, indices as narrow as they allow.

@@ -48,7 +48,7 @@ class MeshBake {
 
   Made made() {
     Made best;
-    const bake::Target target(full());
+    const processors::displacement_bake::Target target(full());
     const double wanted = options_.rms * diagonal_of(joined_.positions);
     const std::vector<double> ratios =
         options_.cage ? std::vector{*options_.cage} : std::vector{1.0 / 512, 1.0 / 256, 1.0 / 128, 1.0 / 90, 1.0 / 64,
@@ -77,7 +77,8 @@ class MeshBake {
                                  replay_.triangles.size() - 1);
   }
 
-  std::optional<Made> made_of(std::size_t collapses, const bake::Target& target, double wanted) const {
+  std::optional<Made> made_of(std::size_t collapses, const processors::displacement_bake::Target& target,
+                              double wanted) const {
     const Collapsed after = collapsed(sequence_, collapses, joined_);
     Made made{std::move(cut(sequence_, collapses, after, joined_).front()), {}};
     const auto indices = made.cut.indices.view();
@@ -141,9 +142,9 @@ std::string why_not(const DrawsCollapse& mesh, const Scene& scene) {
   return {};
 }
 
-class DisplacementBake final : public Processor {
+class DisplacementBakeProcessor final : public Processor {
  public:
-  explicit DisplacementBake(Options options) : options_(options) {
+  explicit DisplacementBakeProcessor(Options options) : options_(options) {
     if ((options.finest & (options.finest - 1)) != 0) throw std::invalid_argument("'finest' must be a power of two");
   }
 
@@ -242,7 +243,8 @@ Plugin displacement_bake_plugin() {
   table.row(&Options::finest, "finest", "Most parts of an edge, a power of two", {.least = 1, .most = 64});
   table.row(&Options::bits, "bits", "Bits of a height; without it, as many as the error needs",
             {.least = 4, .most = 16, .unit = "bits"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementBake>(options); });
+  bind_options(plugin, table,
+               [](const Options& options) { return std::make_unique<DisplacementBakeProcessor>(options); });
   return plugin;
 }
 

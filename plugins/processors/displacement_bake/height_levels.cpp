@@ -1,6 +1,6 @@
 #include "height_levels.h"
 
-#include <glm/geometric.hpp>
+#include <foredraw/geometry/triangle_area.h>
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <tuple>
 
-namespace foredraw::bake {
+namespace foredraw::processors::displacement_bake {
 
 namespace {
 
@@ -66,9 +66,8 @@ std::vector<std::uint32_t> pattern_vertices(const UniformHeights& heights, const
 }
 
 double area_of(const Cage& cage, std::size_t triangle) {
-  const glm::dvec3 a(cage.positions[cage.indices[3 * triangle]]), b(cage.positions[cage.indices[3 * triangle + 1]]),
-      c(cage.positions[cage.indices[3 * triangle + 2]]);
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
+  const std::uint32_t* v = &cage.indices[3 * triangle];
+  return triangle_area(cage.positions[v[0]], cage.positions[v[1]], cage.positions[v[2]]);
 }
 
 /// From one level of a triangle to a finer one on its hull.
@@ -160,4 +159,4 @@ std::vector<std::uint8_t> levels_for(const Cage& cage, std::span<const UniformHe
   return levels;
 }
 
-}  // namespace foredraw::bake
+}  // namespace foredraw::processors::displacement_bake

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace foredraw::bake {
+namespace foredraw::processors::displacement_bake {
 
 /// Heights at one level everywhere.
 struct UniformHeights {
@@ -22,4 +22,4 @@ std::vector<UniformHeights> uniform_heights(const Cage& cage, const Target& targ
 /// cost (the lower hull), and steps are taken by that, so the answer is within one step of the best.
 std::vector<std::uint8_t> levels_for(const Cage& cage, std::span<const UniformHeights> heights, double rms);
 
-}  // namespace foredraw::bake
+}  // namespace foredraw::processors::displacement_bake

@@ -7,7 +7,7 @@
 #include <array>
 #include <map>
 
-namespace foredraw::bake {
+namespace foredraw::processors::displacement_bake {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::optional<DrawHeights> moved(const DrawHeights& heights, const Level& before
   return result;
 }
 
-}  // namespace foredraw::bake
+}  // namespace foredraw::processors::displacement_bake

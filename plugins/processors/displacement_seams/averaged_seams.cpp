@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 namespace {
 
@@ -80,4 +80,4 @@ AveragedMap averaged_seams(const SeamEdges& seams, const foredraw_height_map& ma
   return result;
 }
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

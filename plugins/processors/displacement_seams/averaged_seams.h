@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 struct AveragedMap {
   std::vector<std::uint16_t> texels;
@@ -18,4 +18,4 @@ struct AveragedMap {
 AveragedMap averaged_seams(const SeamEdges& seams, const foredraw_height_map& map, int iterations,
                            const std::atomic<bool>* cancel = nullptr);
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -13,8 +13,8 @@ namespace foredraw {
 
 namespace {
 
-using seams::EqualityRow;
-using seams::IntegerHeights;
+using processors::displacement_seams::EqualityRow;
+using processors::displacement_seams::IntegerHeights;
 
 constexpr double most_height = 65535;
 constexpr int most_passes = 100, most_halvings = 6;
@@ -80,18 +80,20 @@ struct Solution {
 /// Of the texels that the seams lie in, nearly equal on both sides; and which texels these are.
 std::vector<double> nearly_equal(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map,
                                  const std::atomic<bool>* cancel, std::vector<std::uint32_t>& seam_texels) {
-  std::vector<EqualityRow> at_points = seams::rows_of_points(points, map);
+  std::vector<EqualityRow> at_points = processors::displacement_seams::rows_of_points(points, map);
   std::vector<EqualityRow> along;
   if (map.is_nearest == 0) {
-    const std::vector<EqualityRow> exact = seams::rows_of_exact_points(seams, points.factors, map);
+    const std::vector<EqualityRow> exact =
+        processors::displacement_seams::rows_of_exact_points(seams, points.factors, map);
     at_points.insert(at_points.end(), exact.begin(), exact.end());
-    along = seams::rows_along_seams(seams, map);
+    along = processors::displacement_seams::rows_along_seams(seams, map);
   }
-  seam_texels = seams::numbered(along, at_points);
+  seam_texels = processors::displacement_seams::numbered(along, at_points);
   std::vector<double> heights;
   heights.reserve(seam_texels.size());
   for (const std::uint32_t texel : seam_texels) heights.push_back(map.texels[texel]);
-  return seams::equal_heights(std::move(heights), std::move(along), std::move(at_points), {.cancel = cancel});
+  return processors::displacement_seams::equal_heights(std::move(heights), std::move(along), std::move(at_points),
+                                                       {.cancel = cancel});
 }
 
 Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map,
@@ -138,7 +140,7 @@ void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map
   map.texels = texels.data();
   while (result.unequal_after > 0) {
     const Solution solution = solved(seams, points, map, options);
-    if (seams::is_cancelled(options.cancel)) break;
+    if (processors::displacement_seams::is_cancelled(options.cancel)) break;
     std::vector<std::uint16_t> before;  // all texels where all are scaled
     if (solution.is_scaled()) before = texels;
     for (const std::uint32_t texel : solution.seam_texels)
@@ -166,8 +168,9 @@ void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map
 
 void average(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map map,
              const DisplacementSeamsOptions& options, SeamRepair& result) {
-  seams::AveragedMap averaged = seams::averaged_seams(seams, map, options.iterations, options.cancel);
-  if (averaged.changed.empty() || seams::is_cancelled(options.cancel)) return;
+  processors::displacement_seams::AveragedMap averaged =
+      processors::displacement_seams::averaged_seams(seams, map, options.iterations, options.cancel);
+  if (averaged.changed.empty() || processors::displacement_seams::is_cancelled(options.cancel)) return;
   map.texels = averaged.texels.data();
   const std::vector<bool> is_unequal = unequal_points(points, map, options.bits);
   result.is_new = true;

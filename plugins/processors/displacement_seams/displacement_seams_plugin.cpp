@@ -3,10 +3,10 @@
 #include "gutter.h"
 #include "seam_heights_product.h"
 
+#include <foredraw/displaced/displacement_stamp.h>
 #include <foredraw/displaced/map_seams.h>
 #include <foredraw/displaced/seam_table.h>
 #include <foredraw/image/texture_uv.h>
-#include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/technique/plugin.h>
 
@@ -68,9 +68,9 @@ std::optional<Displacement> of_range(Displacement displacement, const SeamRepair
   return displacement;
 }
 
-class DisplacementSeams final : public Processor {
+class DisplacementSeamsProcessor final : public Processor {
  public:
-  explicit DisplacementSeams(Options options) : options_(options) {}
+  explicit DisplacementSeamsProcessor(Options options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const SceneSeams found = seams_of_maps(scene, draws, run.analyses, run.cancel);
@@ -258,7 +258,8 @@ Plugin displacement_seams_plugin() {
                    true}},
   };
   plugin.products = {seam_heights_product()};
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementSeams>(options); });
+  bind_options(plugin, table,
+               [](const Options& options) { return std::make_unique<DisplacementSeamsProcessor>(options); });
   return plugin;
 }
 

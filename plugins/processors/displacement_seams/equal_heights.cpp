@@ -3,7 +3,7 @@
 #include "is_cancelled.h"
 #include "sparse_symmetric.h"
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::vector<double> equal_heights(std::vector<double> texels, std::vector<Equali
   }
 }
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

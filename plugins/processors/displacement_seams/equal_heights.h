@@ -4,7 +4,7 @@
 #include <atomic>
 #include <vector>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 struct EqualHeightsWeights {
   double along = 1e6;                  ///< of the squared gap all along the seams, beside the squared change of a texel
@@ -20,4 +20,4 @@ struct EqualHeightsWeights {
 std::vector<double> equal_heights(std::vector<double> texels, std::vector<EqualityRow> along,
                                   std::vector<EqualityRow> points, const EqualHeightsWeights& weights = {});
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

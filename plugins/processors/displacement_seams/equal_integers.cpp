@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 constexpr std::uint32_t worth_of_corner = 16;
 
@@ -188,4 +188,4 @@ void IntegerHeights::settle(int most_passes, const std::atomic<bool>* cancel) {
   return_to(best);
 }
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 /// Heights at points in whole numbers, while texels change by single steps.
 ///
@@ -72,4 +72,4 @@ class IntegerHeights {
   std::uint64_t cost_ = 0;  ///< of those that are unequal
 };
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -1,5 +1,7 @@
 #include "gutter.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include "is_cancelled.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ class Gutter {
     for (std::size_t c = 0; c < 3; ++c) at[c] = uv[c] * glm::dvec2(map_.width, map_.height) - 0.5;
     glm::dvec2 least = at[0], most = at[0];
     for (const glm::dvec2& corner : at) {
-      if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) return;
+      if (!is_finite(corner)) return;
       least = {std::min(least.x, corner.x), std::min(least.y, corner.y)};
       most = {std::max(most.x, corner.x), std::max(most.y, corner.y)};
     }
@@ -64,7 +66,7 @@ class Gutter {
   }
 
  private:
-  bool is_over() const { return seams::is_cancelled(cancel_); }
+  bool is_over() const { return processors::displacement_seams::is_cancelled(cancel_); }
 
   /// Whether the triangle comes into the square of two texels around a texel's middle.
   static bool is_near(const UvTriangle& at, const glm::dvec2& middle) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 /// The entries left of the diagonal, and it, of a row in the new sequence.
 template <class Use>
@@ -92,4 +92,4 @@ void LdltFactor::solve(std::span<double> right_side) const {
   for (std::size_t k = 0; k < x.size(); ++k) right_side[order_[k]] = x[k];
 }
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::vector<std::uint32_t> minimum_degree(const SymmetricMatrix& matrix, const s
   return order;
 }
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace foredraw {
 
@@ -17,30 +16,16 @@ namespace {
 using List = ExtensionValue::List;
 using Members = ExtensionValue::Members;
 
-constexpr Format pairs_of_words{Component::uint32, 2, false, 8};
-
-template <class Row>
-std::optional<Shared<Row>> rows(ExtensionReader& from, const ExtensionValue& of, const char* name,
-                                const Format& format) {
-  const ExtensionValue* member = of.member(name);
-  const auto number = member == nullptr ? std::nullopt : member->whole();
-  const auto data = number ? from.accessor(*number) : std::nullopt;
-  if (!data || !(data->format == format)) return std::nullopt;
-  std::vector<Row> values(data->count);
-  std::memcpy(values.data(), data->bytes.view().data(), data->bytes.size());
-  return Shared<Row>(std::move(values));
-}
-
 /// What is wrong, as the rest of a sentence; empty: nothing.
 std::string read_seams(ExtensionReader& from, const ExtensionValue& value, DrawSeams& to) {
-  const auto parts = rows<std::uint8_t>(from, value, "parts", {Component::uint8, 1, false, 1});
+  const auto parts = rows_of<std::uint8_t>(from, value.member("parts"), Component::uint8);
   if (!parts) return "has no accessor 'parts' of unsigned bytes";
-  const auto sides = rows<foredraw_seam_side>(from, value, "sides", pairs_of_words);
+  const auto sides = rows_of<foredraw_seam_side>(from, value.member("sides"), Component::uint32);
   if (!sides) return "has no accessor 'sides' of two unsigned ints";
   to.parts_log2 = *parts;
   to.sides = *sides;
   if (value.member("heights") == nullptr) return {};
-  const auto heights = rows<std::uint16_t>(from, value, "heights", {Component::uint16, 1, false, 2});
+  const auto heights = rows_of<std::uint16_t>(from, value.member("heights"), Component::uint16);
   if (!heights) return "has no accessor 'heights' of unsigned shorts";
   to.heights = *heights;
   return {};
@@ -103,7 +88,8 @@ class SeamHeightsRow final : public ProductRow {
   void write(const Scene& scene, ExtensionWriter& to) const override {
     for (const DrawSeams& of : scene.products.find<SeamHeights>()->draws) {
       const auto bytes = std::as_bytes(of.sides.view());
-      const AccessorData sides{pairs_of_words, of.sides.size(), Shared<std::byte>({bytes.begin(), bytes.end()})};
+      const AccessorData sides{
+          {Component::uint32, 2, false, 8}, of.sides.size(), Shared<std::byte>({bytes.begin(), bytes.end()})};
       Members members{{"parts", to.accessor(accessor_data(of.parts_log2.view(), Component::uint8, 1))}};
       if (!of.heights.empty())
         members.push_back({"heights", to.accessor(accessor_data(of.heights.view(), Component::uint16, 1))});
@@ -146,11 +132,8 @@ class SeamHeightsRow final : public ProductRow {
         told.push_back("the heights of seams of " + name + " are left out: " + why);
       }
     }
-    if (left.draws.empty()) {
-      leave_out(after);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

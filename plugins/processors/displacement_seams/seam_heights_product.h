@@ -1,6 +1,6 @@
 #pragma once
+#include <foredraw/displaced/seam_heights.h>
 #include <foredraw/scene/product_row.h>
-#include <foredraw/scene/seam_heights.h>
 
 namespace foredraw {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 namespace {
 
@@ -246,4 +246,4 @@ std::vector<std::uint32_t> numbered(std::span<EqualityRow> rows, std::span<Equal
   return all;
 }
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 /// The weighted sum of these texels ought to be 0: the height on one side less that on the other.
 struct EqualityRow {
@@ -42,4 +42,4 @@ std::vector<EqualityRow> rows_along_seams(const SeamEdges& seams, const foredraw
 /// The texels of all rows, ascending, each once; the rows then name them by their number here.
 std::vector<std::uint32_t> numbered(std::span<EqualityRow> rows, std::span<EqualityRow> more);
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams {
 
 inline constexpr std::uint32_t no_row = ~std::uint32_t{0};
 
@@ -57,4 +57,4 @@ class LdltFactor {
   double multiplications_ = 0;
 };
 
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams

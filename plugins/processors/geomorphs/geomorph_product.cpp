@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace foredraw {
 
@@ -65,14 +64,11 @@ class GeomorphRow final : public ProductRow {
       if (list == nullptr || list->list() == nullptr) return "it has no array 'ancestors'";
       DrawGeomorph draw{id, {}};
       for (const ExtensionValue& one : *list->list()) {
-        const auto data = one.whole() ? from.accessor(*one.whole()) : std::nullopt;
-        const Format wanted{Component::uint32, 1, false, 4};
-        if (!data || !(data->format == wanted)) {
+        auto ancestors = rows_of<std::uint32_t>(from, &one, Component::uint32);
+        if (!ancestors) {
           return name_of_level(scene.draws[id], draw.ancestors.size()) + " has no ancestors of type SCALAR and 5125";
         }
-        std::vector<std::uint32_t> ancestors(data->count);
-        std::memcpy(ancestors.data(), data->bytes.view().data(), data->bytes.size());
-        draw.ancestors.emplace_back(std::move(ancestors));
+        draw.ancestors.push_back(std::move(*ancestors));
       }
       all.draws.push_back(std::move(draw));
     }
@@ -111,11 +107,8 @@ class GeomorphRow final : public ProductRow {
         told.push_back("the geomorphs of " + before.draws[draw.draw].name + " are left out: its levels were replaced");
       }
     }
-    if (left.draws.empty()) {
-      after.products.erase(Geomorphs::product);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

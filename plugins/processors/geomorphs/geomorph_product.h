@@ -1,7 +1,7 @@
 #pragma once
 // The row of what geomorphs makes: the ancestors of vertices, level by level.
 
-#include <foredraw/scene/geomorphs.h>
+#include <foredraw/collapses/geomorphs.h>
 #include <foredraw/scene/product_row.h>
 
 namespace foredraw {

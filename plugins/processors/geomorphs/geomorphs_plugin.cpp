@@ -17,9 +17,9 @@ struct GeomorphsOptions {
   bool keep_sequences = false;
 };
 
-class GeomorphsOfLevels final : public Processor {
+class GeomorphsProcessor final : public Processor {
  public:
-  explicit GeomorphsOfLevels(GeomorphsOptions options) : options_(options) {}
+  explicit GeomorphsProcessor(GeomorphsOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawsCollapse> sequences = sequences_of(scene, draws);
@@ -104,7 +104,7 @@ Plugin geomorphs_plugin() {
   table.row(&GeomorphsOptions::keep_sequences, "keep-sequences",
             "Keep the sequences of collapses for a later stage, and in the file; otherwise they are used up");
   bind_options(plugin, table,
-               [](const GeomorphsOptions& options) { return std::make_unique<GeomorphsOfLevels>(options); });
+               [](const GeomorphsOptions& options) { return std::make_unique<GeomorphsProcessor>(options); });
   return plugin;
 }
 

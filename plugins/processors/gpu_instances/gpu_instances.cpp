@@ -3,7 +3,7 @@
 #include "instance_transform.h"
 
 #include <foredraw/analysis/moved_nodes.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <algorithm>
 #include <map>

@@ -10,9 +10,9 @@ namespace foredraw {
 
 namespace {
 
-class GpuInstances final : public Processor {
+class GpuInstancesProcessor final : public Processor {
  public:
-  explicit GpuInstances(const GpuInstancesOptions& options) : options_(options) {}
+  explicit GpuInstancesProcessor(const GpuInstancesOptions& options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const InstancedNodes made = gpu_instances(scene, draws, options_);
@@ -65,7 +65,7 @@ Plugin gpu_instances_plugin() {
   table.row(&GpuInstancesOptions::least, "least",
             "Fewest nodes of a mesh that are replaced; a mesh placed by fewer stays as it is", {2, 65535, "instances"});
   bind_options(plugin, table,
-               [](const GpuInstancesOptions& options) { return std::make_unique<GpuInstances>(options); });
+               [](const GpuInstancesOptions& options) { return std::make_unique<GpuInstancesProcessor>(options); });
   return plugin;
 }
 

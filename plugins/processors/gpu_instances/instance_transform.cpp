@@ -1,5 +1,7 @@
 #include "instance_transform.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -9,15 +11,6 @@
 namespace foredraw {
 
 namespace {
-
-bool is_finite(const glm::mat4& m) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(m[column][row])) return false;
-    }
-  }
-  return true;
-}
 
 /// The axes of a matrix, or of what was made of it, do not differ by more than rounding does.
 bool are_alike(const glm::dmat3& axes, const glm::mat4& composed) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<Body> bodies_of(const Scene& scene, const SubjectPart& part, const s
   return bodies;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

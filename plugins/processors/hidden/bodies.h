@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// The node that carries a triangle, or one of these.
 using Body = std::uint32_t;
@@ -20,4 +20,4 @@ std::vector<Body> carriers(const Scene& scene);
 /// [triangle] of a part that a node shows. Joints without weight do not count.
 std::vector<Body> bodies_of(const Scene& scene, const SubjectPart& part, const std::vector<Body>& carriers);
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

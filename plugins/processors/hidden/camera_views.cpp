@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::vector<View> checking_views(const Cameras& cameras, const HiddenOptions& op
   return views;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -6,7 +6,7 @@
 
 #include <foredraw/scene/views.h>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// Those that decide first: along the axes, evenly from all sides, and a quarter as many with perspective, as far as
 /// cameras may be there. Any beginning of them looks from all sides.
@@ -15,4 +15,4 @@ std::vector<View> deciding_views(const Cameras& cameras, const HiddenOptions& op
 /// Others, each round others again; a third of them with perspective.
 std::vector<View> checking_views(const Cameras& cameras, const HiddenOptions& options, int round);
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

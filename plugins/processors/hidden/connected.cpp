@@ -1,8 +1,9 @@
 #include "connected.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 Connected::Connected(std::span<const RasterPart> parts) {
   std::vector<glm::vec3> positions;
@@ -45,4 +46,4 @@ Flags Connected::with_rings(Flags flags, int rings) const {
   return flags;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 class Connected {
  public:
@@ -32,4 +32,4 @@ class Connected {
   std::size_t components_ = 0;
 };
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

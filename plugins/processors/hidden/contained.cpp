@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -132,4 +132,4 @@ Flags inside_closed(const Sight& sight, const Connected& surface, const Flags& a
   return result;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -4,7 +4,7 @@
 #include "connected.h"
 #include "sight.h"
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// Of components of which all triangles are `asked` those that lie within one other component that hides, is closed and
 /// faces outwards: no vertex of either is nearer to the other than a hundred thousandth of its size, no edge of one
@@ -13,4 +13,4 @@ namespace foredraw::hidden {
 /// of doubles. Both are known to stay together.
 Flags inside_closed(const Sight& sight, const Connected& surface, const Flags& asked);
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 void cut(Draw& draw, const std::vector<std::uint8_t>& goes) {
   const IndexStream& before = draw.full().stream();
@@ -24,4 +24,4 @@ void cut(Draw& draw, const std::vector<std::uint8_t>& goes) {
   draw.full().stream() = std::move(after);
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

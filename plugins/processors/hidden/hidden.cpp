@@ -11,7 +11,7 @@ namespace foredraw {
 
 HiddenTriangles hidden_triangles(std::span<const OpaqueOrNot> draws, const HiddenOptions& options,
                                  const Executor& executor) {
-  using namespace hidden;
+  using namespace processors::hidden;
   Sight sight;
   for (const OpaqueOrNot& draw : draws) {
     sight.parts.push_back({draw.positions, draw.indices, !draw.is_double_sided});

@@ -12,7 +12,7 @@
 
 namespace foredraw {
 
-namespace hidden {
+namespace processors::hidden {
 
 /// What goes or stays as one.
 enum class Unit {
@@ -43,10 +43,10 @@ struct Pixels {
 /// Called between steps; may throw to end the search.
 using BetweenSteps = std::function<void()>;
 
-}  // namespace hidden
+}  // namespace processors::hidden
 
 struct HiddenOptions {
-  hidden::Unit unit = hidden::Unit::component;
+  processors::hidden::Unit unit = processors::hidden::Unit::component;
   int views = 642;   ///< pictures without perspective; a quarter as many are taken from a distance of 1.3 radii
   int size = 512;    ///< pixels along each edge of them
   int rays = 1024;   ///< of a triangle that no picture shows
@@ -65,7 +65,8 @@ struct OpaqueOrNot {
 struct HiddenTriangles {
   std::vector<std::vector<std::uint8_t>> is_hidden;  ///< [draw][triangle] 0 or 1
   std::vector<std::vector<std::uint8_t>> is_proved;  ///< the same of those that lie within something closed: no sample
-  hidden::Pixels last_check;  ///< pixels of the last check that still showed something hidden: what was put back then
+  processors::hidden::Pixels
+      last_check;  ///< pixels of the last check that still showed something hidden: what was put back then
 };
 
 /// The triangles of things that stand together which no camera outside sees: no picture shows them, no ray gets from

@@ -14,8 +14,8 @@ namespace foredraw {
 
 namespace {
 
-using hidden::Moving;
-using hidden::SeenFrom;
+using processors::hidden::Moving;
+using processors::hidden::SeenFrom;
 
 struct Options : HiddenOptions {
   std::optional<SeenFrom> seen_from;
@@ -34,7 +34,7 @@ std::vector<glm::dmat4> boxes_of(const Options& options) {
     boxes.push_back(box);
   };
   if (options.seen_from == SeenFrom::box) {
-    const auto corners = hidden::points_in(options.box);
+    const auto corners = processors::hidden::points_in(options.box);
     if (!corners || corners->size() != 2) {
       throw std::invalid_argument(
           "seen-from = \"box\" needs two corners, in the space of the scene: box = \"x y z; x y z\"");
@@ -42,7 +42,7 @@ std::vector<glm::dmat4> boxes_of(const Options& options) {
     add(corners->front(), corners->back());
   }
   if (options.seen_from == SeenFrom::points) {
-    const auto points = hidden::points_in(options.points);
+    const auto points = processors::hidden::points_in(options.points);
     if (!points) {
       throw std::invalid_argument(
           "seen-from = \"points\" needs points, in the space of the scene: points = \"x y z; x y z\"");
@@ -52,13 +52,13 @@ std::vector<glm::dmat4> boxes_of(const Options& options) {
   return boxes;
 }
 
-hidden::HiddenSearchOptions search_options(const Options& options) {
+processors::hidden::HiddenSearchOptions search_options(const Options& options) {
   if (!options.seen_from) {
     throw std::invalid_argument(
         "say where cameras may be: seen-from = \"outside\", \"above\", \"box\" or \"points\"; what they never see is "
         "removed");
   }
-  hidden::HiddenSearchOptions search;
+  processors::hidden::HiddenSearchOptions search;
   static_cast<HiddenOptions&>(search) = options;
   search.moving = options.moving;
   search.cameras = {*options.seen_from, boxes_of(options)};
@@ -69,36 +69,37 @@ std::size_t count(const std::vector<std::uint8_t>& flags) {
   return static_cast<std::size_t>(std::ranges::count(flags, 1));
 }
 
-class RemoveHidden final : public Processor {
+class HiddenProcessor final : public Processor {
  public:
-  explicit RemoveHidden(const Options& options) : options_(search_options(options)) {}
+  explicit HiddenProcessor(const Options& options) : options_(search_options(options)) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     if (!scene.products.empty()) {
       run.keep("the scene has products, which refer to triangles: put this stage before those that make them");
       return draws;
     }
-    hidden::HiddenSearchOptions search = options_;
+    processors::hidden::HiddenSearchOptions search = options_;
     search.subjects = run.subjects;
     search.seed = run.seed;
     const std::vector<DrawId> asked = candidates(scene, draws, run);
     const auto between = [&run] {
       if (run.cancelled()) throw std::runtime_error("cancelled");
     };
-    const hidden::FoundHidden found = hidden::find_hidden(scene, asked, search, between, run.executor);
+    const processors::hidden::FoundHidden found =
+        processors::hidden::find_hidden(scene, asked, search, between, run.executor);
     std::vector<DrawId> changed;
     for (const auto& [id, goes] : found.hidden) {
       if (count(goes) > 0) changed.push_back(id);
     }
     tell(scene, found, run);
     if (changed.empty()) run.keep("nothing is hidden, as far as pictures and rays can tell");
-    for (const DrawId id : changed) hidden::cut(scene.draws[id], found.hidden.at(id));
+    for (const DrawId id : changed) processors::hidden::cut(scene.draws[id], found.hidden.at(id));
     return changed;
   }
 
  private:
   static std::vector<DrawId> candidates(const Scene& scene, const std::vector<DrawId>& draws, Run& run) {
-    const std::vector<std::string> why = hidden::why_they_stay(scene, run.subjects);
+    const std::vector<std::string> why = processors::hidden::why_they_stay(scene, run.subjects);
     std::vector<DrawId> result;
     for (const DrawId id : draws) {
       if (scene.draws[id].full().stream().indices.empty()) continue;
@@ -111,7 +112,7 @@ class RemoveHidden final : public Processor {
     return result;
   }
 
-  static void tell(const Scene& scene, const hidden::FoundHidden& found, Run& run) {
+  static void tell(const Scene& scene, const processors::hidden::FoundHidden& found, Run& run) {
     double triangles = 0, gone = 0;
     for (const Draw& draw : scene.draws) triangles += static_cast<double>(draw.full().stream().triangle_count());
     for (const auto& [id, goes] : found.hidden) {
@@ -133,7 +134,7 @@ class RemoveHidden final : public Processor {
     }
   }
 
-  hidden::HiddenSearchOptions options_;
+  processors::hidden::HiddenSearchOptions options_;
 };
 
 }  // namespace
@@ -155,7 +156,7 @@ Plugin hidden_plugin() {
       .choice(&HiddenOptions::unit, "unit",
               "What goes or stays as one. component: triangles that are connected, all together; triangle: single "
               "triangles, except two rings around what is seen",
-              {{"component", hidden::Unit::component}, {"triangle", hidden::Unit::triangle}})
+              {{"component", processors::hidden::Unit::component}, {"triangle", processors::hidden::Unit::triangle}})
       .choice(&Options::moving, "moving",
               "What parts of a character may hide of each other. apart: only what follows one and the same joint, so "
               "that it holds in every pose; clips: what is hidden in all keys of all clips",
@@ -188,7 +189,7 @@ Plugin hidden_plugin() {
                   {"samples", "pixels", "Pixels of the last check, from held-out views", false}},
   };
   bind_options(plugin, std::move(table),
-               [](const Options& options) { return std::make_unique<RemoveHidden>(options); });
+               [](const Options& options) { return std::make_unique<HiddenProcessor>(options); });
   return plugin;
 }
 

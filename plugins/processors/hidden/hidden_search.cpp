@@ -15,7 +15,7 @@
 #include <numeric>
 #include <set>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -269,4 +269,4 @@ FoundHidden find_hidden(const Scene& scene, std::span<const DrawId> asked, const
   return found;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// What parts that move hide of one another.
 enum class Moving {
@@ -37,4 +37,4 @@ struct FoundHidden {
 FoundHidden find_hidden(const Scene& scene, std::span<const DrawId> asked, const HiddenSearchOptions& options,
                         const BetweenSteps& between, const Executor& executor);
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -10,7 +10,7 @@
 #include <locale>
 #include <sstream>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::optional<std::vector<glm::dvec3>> points_in(const std::string& text) {
   return points.empty() ? std::nullopt : std::optional(points);
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// Where a pipeline says that cameras are, in the space of the scene, +Y up.
 struct SceneCameras {
@@ -31,4 +31,4 @@ std::optional<Cameras> cameras_beside_mesh(const SceneCameras& cameras, const Sc
 /// "x y z; x y z", or nothing where the text is none.
 std::optional<std::vector<glm::dvec3>> points_in(const std::string& text);
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -213,4 +213,4 @@ Pixels Rays::add_seen_around(std::size_t places, int size, std::uint64_t seed, c
   return sum;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

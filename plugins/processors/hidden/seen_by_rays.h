@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// Rays of a triangle: those numbered from `first` on.
 struct RayRange {
@@ -58,4 +58,4 @@ class Rays {
   std::vector<Place> places_;  ///< [triangle of the sight]
 };
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -95,4 +95,4 @@ Pixels Pictures::add_seen(std::span<const View> views, int size, const Flags& as
   return sum;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

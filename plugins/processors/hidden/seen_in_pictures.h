@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 class Pictures {
  public:
@@ -24,4 +24,4 @@ class Pictures {
   std::vector<PreparedPart> parts_;
 };
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

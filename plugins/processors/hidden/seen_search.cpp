@@ -3,14 +3,14 @@
 #include "contained.h"
 #include "seen_in_pictures.h"
 
-#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/base/random.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -151,4 +151,4 @@ Pixels SeenSearch::check(const Sight& sight, std::span<const View> views, std::u
   return Rays(sight).add_seen_around(places, std::max(16, options_.size / 4), seed, asked, seen_, executor_);
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -8,7 +8,7 @@
 
 #include <foredraw/scene/views.h>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 inline constexpr int most_checks = 8;  ///< rounds, of which each puts back what the pictures show
 
@@ -52,4 +52,4 @@ class SeenSearch {
   const Executor& executor_;
 };
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

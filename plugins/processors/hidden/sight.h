@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 /// [triangle] 0 or 1.
 using Flags = std::vector<std::uint8_t>;
@@ -34,4 +34,4 @@ struct Sight {
   bool is_rigid = true;  ///< it stands so in every pose
 };
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::vector<std::string> why_they_stay(const Scene& scene, SubjectUnit subjects)
   return why;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 struct StandingParts {
   std::vector<std::vector<glm::vec3>> positions;  ///< that the parts look into
@@ -28,4 +28,4 @@ bool is_opaque(const Scene& scene, const Draw& draw);
 /// [draw] why what is hidden of it has to stay, or nothing.
 std::vector<std::string> why_they_stay(const Scene& scene, SubjectUnit subjects);
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -53,9 +53,9 @@ struct CutMesh {
   bool leaves_vertices = false;
 };
 
-class CutLevels final : public LevelMaker {
+class LevelsMaker final : public LevelMaker {
  public:
-  CutLevels(LevelGoals goals, double saving) : goals_(std::move(goals)), saving_(saving) {}
+  LevelsMaker(LevelGoals goals, double saving) : goals_(std::move(goals)), saving_(saving) {}
 
   SubjectLevels levels(const SubjectView& view, Run& run) const override {
     std::vector<CutMesh> meshes;
@@ -129,10 +129,10 @@ class CutLevels final : public LevelMaker {
 };
 
 /// The maker, and what becomes of the sequences.
-class LevelsOfMeshes final : public Processor {
+class LevelsProcessor final : public Processor {
  public:
-  explicit LevelsOfMeshes(const LevelsOptions& options)
-      : levels_(level_processor(std::make_unique<const CutLevels>(goals_of(options), options.saving))),
+  explicit LevelsProcessor(const LevelsOptions& options)
+      : levels_(level_processor(std::make_unique<const LevelsMaker>(goals_of(options), options.saving))),
         keeps_sequences_(options.keep_sequences) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
@@ -190,7 +190,7 @@ Plugin levels_plugin() {
            {.least = 0, .most = 1})
       .row(&LevelsOptions::keep_sequences, "keep-sequences",
            "Keep the sequences of collapses for a later stage, and in the file; otherwise they are used up");
-  bind_options(plugin, table, [](const LevelsOptions& options) { return std::make_unique<LevelsOfMeshes>(options); });
+  bind_options(plugin, table, [](const LevelsOptions& options) { return std::make_unique<LevelsProcessor>(options); });
   return plugin;
 }
 

@@ -21,9 +21,9 @@ struct LodTableOptions {
   double importance = 1;
 };
 
-class MakeLodTable final : public Processor {
+class LodTableProcessor final : public Processor {
  public:
-  explicit MakeLodTable(const LodTableOptions& options) : importance_(static_cast<float>(options.importance)) {
+  explicit LodTableProcessor(const LodTableOptions& options) : importance_(static_cast<float>(options.importance)) {
     if (options.costs.empty()) return;
     auto costs = read_costs(options.costs);
     if (const auto* why = std::get_if<std::string>(&costs)) throw std::invalid_argument(*why);
@@ -113,7 +113,8 @@ Plugin lod_table_plugin() {
                       OptionType::views)
       .row(&LodTableOptions::importance, "importance",
            "What the draws are worth relative to others; to give some less, add a stage for them with `only`", {0, 1});
-  bind_options(plugin, table, [](const LodTableOptions& options) { return std::make_unique<MakeLodTable>(options); });
+  bind_options(plugin, table,
+               [](const LodTableOptions& options) { return std::make_unique<LodTableProcessor>(options); });
   return plugin;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace foredraw {
 
@@ -13,16 +12,7 @@ namespace {
 using List = ExtensionValue::List;
 using Members = ExtensionValue::Members;
 
-/// What is wrong, as the rest of a sentence; caught where reading began.
-struct Wrong : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-const ExtensionValue& member(const ExtensionValue& of, const char* name) {
-  const ExtensionValue* value = of.member(name);
-  if (value == nullptr) throw Wrong(std::string("has no '") + name + "'");
-  return *value;
-}
+using Wrong = WrongExtension;
 
 double number(const ExtensionValue& value, const char* name, double least, double most) {
   const auto number = value.number();
@@ -34,7 +24,7 @@ double number(const ExtensionValue& value, const char* name, double least, doubl
 }
 
 double number(const ExtensionValue& of, const char* name, double most) {
-  return number(member(of, name), name, 0, most);
+  return number(needed_member(of, name), name, 0, most);
 }
 
 std::uint32_t whole(const ExtensionValue& value, const char* name) {
@@ -58,19 +48,20 @@ constexpr auto most_length = static_cast<double>(std::numeric_limits<float>::max
 
 RenderingCosts costs_from(const ExtensionValue& file) {
   RenderingCosts costs;
-  const std::string* machine = member(file, "machine").text();
+  const std::string* machine = needed_member(file, "machine").text();
   if (machine == nullptr || machine->size() > longest_name) throw Wrong("has no 'machine' of at most 200 bytes");
   costs.machine = *machine;
-  const std::string* stages = member(file, "stages").text();
+  const std::string* stages = needed_member(file, "stages").text();
   for (const Stages each : {Stages::max, Stages::sum}) {
     if (stages != nullptr && *stages == to_text(each)) costs.stages = each;
   }
   if (stages == nullptr || *stages != to_text(costs.stages)) throw Wrong("has no 'stages', \"max\" or \"sum\"");
   costs.frame = number(file, "frame", most_nanoseconds);
   costs.draw = number(file, "draw", most_nanoseconds);
-  const List& renderings = list(member(file, "renderings"), "renderings", LodTable::renderings, LodTable::renderings);
+  const List& renderings =
+      list(needed_member(file, "renderings"), "renderings", LodTable::renderings, LodTable::renderings);
   for (std::size_t i = 0; i < renderings.size(); ++i) {
-    const std::string* name = member(renderings[i], "name").text();
+    const std::string* name = needed_member(renderings[i], "name").text();
     if (name == nullptr || *name != to_text(all_renderings[i])) {
       throw Wrong("has renderings that are not full, without-normal-map and unlit");
     }
@@ -88,16 +79,16 @@ LodTable::OfDraw draw_from(const ExtensionValue& value, DrawId id) {
   if (!(draw.radius > 0)) throw Wrong("has a 'radius' of 0");
   draw.coverage = static_cast<float>(number(value, "coverage", 1));
   draw.importance = static_cast<float>(number(value, "importance", 1));
-  const List& accuracy = list(member(value, "accuracy"), "accuracy", LodTable::renderings, LodTable::renderings);
+  const List& accuracy = list(needed_member(value, "accuracy"), "accuracy", LodTable::renderings, LodTable::renderings);
   for (std::size_t i = 0; i < accuracy.size(); ++i) {
     draw.accuracy[i] = static_cast<float>(number(accuracy[i], "accuracy", 0, 1));
   }
-  for (const ExtensionValue& level : list(member(value, "levels"), "levels", 1, LodTable::most_levels)) {
-    draw.levels.push_back({whole(member(level, "triangles"), "triangles"), whole(member(level, "shaded"), "shaded"),
-                           whole(member(level, "vertices"), "vertices"),
-                           static_cast<float>(number(level, "error", most_length))});
+  for (const ExtensionValue& level : list(needed_member(value, "levels"), "levels", 1, LodTable::most_levels)) {
+    draw.levels.push_back(
+        {whole(needed_member(level, "triangles"), "triangles"), whole(needed_member(level, "shaded"), "shaded"),
+         whole(needed_member(level, "vertices"), "vertices"), static_cast<float>(number(level, "error", most_length))});
   }
-  const List& hulls = list(member(value, "hulls"), "hulls", LodTable::octaves, LodTable::octaves);
+  const List& hulls = list(needed_member(value, "hulls"), "hulls", LodTable::octaves, LodTable::octaves);
   for (std::size_t octave = 0; octave < hulls.size(); ++octave) {
     const List& masks = list(hulls[octave], "hulls", LodTable::renderings, LodTable::renderings);
     for (std::size_t i = 0; i < masks.size(); ++i) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -280,4 +280,4 @@ bool visit_choices(std::span<const MeshSize> sizes, std::uint32_t multiple, std:
   return candidates.all && search.came_to_its_end();
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct ClassSearch {
   std::vector<std::uint32_t>
@@ -31,4 +31,4 @@ bool visit_choices(std::span<const MeshSize> sizes, std::uint32_t multiple, std:
                    std::uint64_t most_steps, double below,
                    const std::function<double(std::span<const std::uint32_t>)>& look);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

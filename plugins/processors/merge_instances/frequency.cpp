@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -184,4 +184,4 @@ std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, do
   return best;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// Meshes of one size, and how often they are placed together. Sizes may repeat.
 struct MeshSize {
@@ -64,4 +64,4 @@ FrequencyChoice best_frequencies(std::span<const MeshSize> meshes, const Frequen
 std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, double most_padding,
                                             const FrequencyOptions& options = {});
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

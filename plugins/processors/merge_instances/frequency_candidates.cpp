@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -151,4 +151,4 @@ std::uint32_t best_frequency(std::span<const MeshSize> sizes, std::uint32_t mult
   return found;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

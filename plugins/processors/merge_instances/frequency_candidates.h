@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// What a choice is judged by: padded entries and slots, each with its price.
 struct Prices {
@@ -37,4 +37,4 @@ std::vector<std::uint32_t> frequency_candidates(std::span<const MeshSize> sizes,
 /// The frequency of least cost for all; sizes as distinct_sizes() gives them, not empty. Of equals the smallest.
 std::uint32_t best_frequency(std::span<const MeshSize> sizes, std::uint32_t multiple, const Prices& prices);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <queue>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -27,10 +27,10 @@ struct Pair {
 class Cells {
  public:
   explicit Cells(std::span<const GroupSum> groups) {
-    Box all;
+    Box<glm::vec3> all;
     for (const GroupSum& group : groups) all.add(middle_of(group));
-    least_ = all.least;
-    const glm::vec3 extent = all.most - all.least;
+    least_ = all.min;
+    const glm::vec3 extent = all.max - all.min;
     const float longest = std::max({extent.x, extent.y, extent.z});
     // As if the groups filled the two longer sides.
     const float along = std::max(1.0f, std::floor(std::sqrt(static_cast<float>(groups.size()))));
@@ -62,7 +62,7 @@ class Cells {
     auto operator<=>(const Place&) const = default;
   };
 
-  static glm::vec3 middle_of(const GroupSum& group) { return group.box.least * 0.5f + group.box.most * 0.5f; }
+  static glm::vec3 middle_of(const GroupSum& group) { return group.box.min * 0.5f + group.box.max * 0.5f; }
   std::array<std::int32_t, 3> cell_of(const glm::vec3& point) const {
     const glm::vec3 at = (point - least_) / side_;
     return {static_cast<std::int32_t>(at.x), static_cast<std::int32_t>(at.y), static_cast<std::int32_t>(at.z)};
@@ -170,4 +170,4 @@ std::vector<std::uint32_t> merged_neighbours(std::span<const GroupSum> groups, c
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -106,7 +106,7 @@ class Builder {
     return better(node, grow(halves[0]), grow(halves[1]));
   }
 
-  static glm::vec3 middle_of(const TreeItem& item) { return item.box.least * 0.5f + item.box.most * 0.5f; }
+  static glm::vec3 middle_of(const TreeItem& item) { return item.box.min * 0.5f + item.box.max * 0.5f; }
 
   /// Where middles are cut into bins: along each axis that is not flat, or the bins would be slabs.
   struct Cuts {
@@ -147,12 +147,12 @@ class Builder {
   /// Parts the node's items in two.
   std::array<Node, 2> cut(const Node& node) {
     const std::span<TreeItem> own = items_.subspan(node.begin, node.end - node.begin);
-    Box middles;
+    Box<glm::vec3> middles;
     for (const TreeItem& item : own) middles.add(middle_of(item));
-    const glm::vec3 extent = middles.most - middles.least;
+    const glm::vec3 extent = middles.max - middles.min;
     const float longest = std::max({extent.x, extent.y, extent.z});
     if (!(longest > 0) || node.depth >= cut_by_halves) return cut_by_number(node);
-    Cuts cuts{middles.least, glm::vec3(0)};
+    Cuts cuts{middles.min, glm::vec3(0)};
     for (int axis = 0; axis < 3; ++axis) {
       if (extent[axis] * 16 >= longest) cuts.bins_per_unit[axis] = static_cast<float>(bins) / extent[axis];
     }
@@ -204,4 +204,4 @@ std::vector<TreeGroup> tree_groups(std::span<TreeItem> items, const SeenBoxes& s
   return builder.harvest();
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

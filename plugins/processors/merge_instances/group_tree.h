@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// What is known of some instances together. Sums are taken in a fixed sequence, so they are the same everywhere.
 struct GroupSum {
-  Box box;
+  Box<glm::vec3> box;
   std::uint64_t indices = 0;
   std::uint64_t instances = 0;
   double seen = 0;  ///< entries that are drawn where each instance is culled alone
@@ -25,7 +25,7 @@ struct GroupSum {
     return waste > 0 ? waste : 0;  // a rounding below it where there is none
   }
   bool is_within(const GroupOptions& options) const {
-    const glm::vec3 side = box.most - box.least;
+    const glm::vec3 side = box.max - box.min;
     const bool is_small = options.most_size <= 0 || std::max({side.x, side.y, side.z}) <= options.most_size;
     return instances <= 1 || (is_small && indices <= options.most_indices && instances <= options.most_instances);
   }
@@ -33,7 +33,7 @@ struct GroupSum {
 
 /// An instance as the tree moves it about.
 struct TreeItem {
-  Box box;
+  Box<glm::vec3> box;
   std::uint32_t indices = 0;
   std::uint32_t instance = 0;
   double seen = 0;
@@ -50,4 +50,4 @@ struct TreeGroup {
 std::vector<TreeGroup> tree_groups(std::span<TreeItem> items, const SeenBoxes& seen_boxes, const GroupOptions& options,
                                    const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -7,14 +7,17 @@
 
 namespace foredraw {
 
-merging::PackedInstances merge_instances(std::span<const merging::PackedMesh> meshes,
-                                         std::span<const merging::PlacedMesh> placed,
-                                         const MergeInstancesOptions& options, const Executor& executor) {
-  for (const merging::PlacedMesh& at : placed) {
+processors::merge_instances::PackedInstances merge_instances(
+    std::span<const processors::merge_instances::PackedMesh> meshes,
+    std::span<const processors::merge_instances::PlacedMesh> placed, const MergeInstancesOptions& options,
+    const Executor& executor) {
+  for (const processors::merge_instances::PlacedMesh& at : placed) {
     if (at.mesh >= meshes.size()) throw std::invalid_argument("a placed mesh is not among the meshes");
   }
-  const merging::SlotLayout layout = merging::slot_layout(meshes, placed, options, executor);
-  return merging::pack_instances(meshes, placed, layout.groups, layout.frequencies, {options.cut_well}, executor);
+  const processors::merge_instances::SlotLayout layout =
+      processors::merge_instances::slot_layout(meshes, placed, options, executor);
+  return processors::merge_instances::pack_instances(meshes, placed, layout.groups, layout.frequencies,
+                                                     {options.cut_well}, executor);
 }
 
 }  // namespace foredraw

@@ -1,10 +1,9 @@
 #pragma once
 // Many meshes with many instances each, drawn as a few draws without a vertex stored twice.
 
-#include "box.h"
-
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/geometry/box.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <glm/mat4x4.hpp>
 
@@ -36,7 +35,7 @@ struct MergeInstancesOptions {
   bool cut_well = true;                   ///< cut meshes where few vertices are shared
 };
 
-namespace merging {
+namespace processors::merge_instances {
 
 /// A mesh whose vertices lie in a buffer together with the others'.
 struct PackedMesh {
@@ -49,7 +48,7 @@ struct PackedMesh {
 struct PlacedMesh {
   std::uint32_t mesh = 0;
   glm::mat4 world{1};
-  Box box;  ///< in the world; finite
+  Box<glm::vec3> box;  ///< in the world; finite
 };
 
 /// The buffers, and what they come to.
@@ -70,16 +69,17 @@ struct PackedInstances {
   std::size_t bytes() const { return 4 * indices.size() + 8 * slots.size() + 48 * transforms.size(); }
 };
 
-}  // namespace merging
+}  // namespace processors::merge_instances
 
 /// Merges meshes of one vertex layout, drawn with one shader: chooses the frequencies, the groups that are culled
 /// together, and fills the buffers that runtime/merge_instances.h reads. A mesh that nothing places takes no room.
 /// Deterministic at any number of threads. Throws std::invalid_argument where an option is out of its range, a mesh's
 /// indices lead out of its vertices, or a transform is not affine or has no inverse; std::length_error where 32 bits
 /// cannot number the entries or slots. Source: Persson, "Graphics Gems for Games", SIGGRAPH 2012, "Merge-Instancing".
-merging::PackedInstances merge_instances(std::span<const merging::PackedMesh> meshes,
-                                         std::span<const merging::PlacedMesh> placed,
-                                         const MergeInstancesOptions& options, const Executor& executor);
+processors::merge_instances::PackedInstances merge_instances(
+    std::span<const processors::merge_instances::PackedMesh> meshes,
+    std::span<const processors::merge_instances::PlacedMesh> placed, const MergeInstancesOptions& options,
+    const Executor& executor);
 
 struct Plugin;
 Plugin merge_instances_plugin();

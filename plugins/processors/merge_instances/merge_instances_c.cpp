@@ -4,6 +4,7 @@
 
 #include <foredraw/base/this_thread.h>
 #include <foredraw/c/checked_input.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@
 #include <stdexcept>
 
 using namespace foredraw;
-using namespace foredraw::merging;
+using namespace foredraw::processors::merge_instances;
 
 namespace {
 
@@ -23,10 +24,6 @@ struct Owner {
   std::vector<foredraw_merged_group> groups;
 };
 
-bool is_finite(const glm::vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
 glm::mat4 matrix_of(const float (&rows)[12]) {
   glm::mat4 matrix(1);
   for (int row = 0; row < 3; ++row) {
@@ -36,8 +33,9 @@ glm::mat4 matrix_of(const float (&rows)[12]) {
 }
 
 /// Of all that triangles use, where the matrix moves it; empty where something is not finite.
-Box box_of(const c::CheckedTriangles& triangles, std::span<const glm::vec3> positions, const glm::mat4& world) {
-  Box box;
+Box<glm::vec3> box_of(const c::CheckedTriangles& triangles, std::span<const glm::vec3> positions,
+                      const glm::mat4& world) {
+  Box<glm::vec3> box;
   for (const std::uint32_t index : triangles.indices()) {
     const glm::vec3 place(world * glm::vec4(positions[index], 1));
     if (!is_finite(place)) return {};
@@ -109,7 +107,7 @@ int foredraw_merge_instances(foredraw_merged* merged, const foredraw_packed_mesh
       if (packed[place.mesh].indices.empty()) continue;
       const glm::mat4 world = matrix_of(place.transform);
       const Placing placing = placing_of(world);
-      const Box box = box_of(given[place.mesh], positions[place.mesh], world);
+      const Box<glm::vec3> box = box_of(given[place.mesh], positions[place.mesh], world);
       const bool is_good = placing == Placing::plain || placing == Placing::mirrored;
       if (!is_good || box.is_empty()) return FOREDRAW_NO_TRANSFORM;
       places.push_back({place.mesh, world, box});

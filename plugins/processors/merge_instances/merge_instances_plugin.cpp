@@ -3,6 +3,7 @@
 #include "merged_draws_product.h"
 #include "slot_order.h"
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 /// A note for each draw and reason, however many nodes place it.
 void note_left_alone(const MergedScene& merged, const Run& run) {
   std::map<std::pair<DrawId, std::string>, std::size_t> placements;
-  for (const merging::LeftAlone& left : merged.left_alone) {
+  for (const processors::merge_instances::LeftAlone& left : merged.left_alone) {
     placements[{left.draw, left.why}] += left.node ? 1 : 0;
   }
   for (const auto& [place, count] : placements) {
@@ -29,7 +30,7 @@ void note_left_alone(const MergedScene& merged, const Run& run) {
                     ? fmt::format("not merged: {}", why)
                     : fmt::format("not merged in {} {}: {}", count, count == 1 ? "placement" : "placements", why));
   }
-  for (const merging::MergeableSet& set : merged.not_merged) {
+  for (const processors::merge_instances::MergeableSet& set : merged.not_merged) {
     if (set.meshes.empty()) continue;
     const std::size_t others = set.meshes.size() - 1;
     const std::string with = others == 0 ? ""
@@ -58,7 +59,7 @@ std::size_t draws_left(const Scene& scene) {
 
 /// Of a group by itself, from all views.
 OverdrawCount overdraw_of(const Scene& scene, const MergedInstances& merged, std::uint32_t group, Run& run) {
-  const Scene alone = merging::group_scene(scene, merged, group);
+  const Scene alone = processors::merge_instances::group_scene(scene, merged, group);
   Subject subject{scene.name, {}};
   for (DrawId id = 0; id < alone.draws.size(); ++id) subject.parts.push_back({id, {}});
   OverdrawCount sum;
@@ -71,7 +72,7 @@ OverdrawCount overdraw_of(const Scene& scene, const MergedInstances& merged, std
 /// Slots sorted where that lowers their group's measured overdraw: the rule is a guess.
 MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, Run& run) {
   MergedInstances sorted = merged;
-  sorted.slots = Shared(merging::outward_slots(merged, run.executor));
+  sorted.slots = Shared(processors::merge_instances::outward_slots(merged, run.executor));
   std::vector<MergedSlot> slots(merged.slots.view().begin(), merged.slots.view().end());
   OverdrawCount before, after;
   for (std::uint32_t g = 0; g < merged.groups.size() && !run.cancelled(); ++g) {
@@ -101,9 +102,9 @@ struct Options : MergeSceneOptions {
   bool overdraw_order = false;  // sort the slots of each group where that pays
 };
 
-class MergeInstances final : public Processor {
+class MergeInstancesProcessor final : public Processor {
  public:
-  explicit MergeInstances(const Options& options) : options_(options) {
+  explicit MergeInstancesProcessor(const Options& options) : options_(options) {
     if (options.multiple % 3 == 0) return;
     throw std::invalid_argument(
         fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
@@ -124,7 +125,7 @@ class MergeInstances final : public Processor {
     for (const MergedSet& set : merged.merged) {
       MergedInstances made = merged_instances(scene, set);
       all.sets.push_back(options_.overdraw_order ? with_less_overdraw(scene, std::move(made), run) : std::move(made));
-      for (const merging::MergeableMesh& mesh : set.set.meshes) {
+      for (const processors::merge_instances::MergeableMesh& mesh : set.set.meshes) {
         changed.push_back(mesh.draw);
       }
     }
@@ -167,7 +168,8 @@ Plugin merge_instances_plugin() {
   table.choice(&MergeSceneOptions::materials, "materials",
                "Which draws are merged. alike: those whose materials look the same; kind: those whose materials differ "
                "only in factors and textures, which the shader looks up for each instance",
-               {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
+               {{"alike", processors::merge_instances::SharedMaterials::alike},
+                {"kind", processors::merge_instances::SharedMaterials::kind}});
   table.row(&MergeSceneOptions::skinned, "skinned",
             "Merge skinned draws too; the groups' boxes then enclose them in the pipeline's poses");
   table.row(&MergeInstancesOptions::multiple, "multiple",
@@ -231,7 +233,7 @@ Plugin merge_instances_plugin() {
   };
   plugin.products = {merged_draws_product()};
   bind_options(plugin, std::move(table),
-               [](const Options& options) { return std::make_unique<MergeInstances>(options); });
+               [](const Options& options) { return std::make_unique<MergeInstancesProcessor>(options); });
   return plugin;
 }
 

@@ -10,9 +10,9 @@ namespace foredraw {
 
 namespace {
 
-using merging::MergeableSet;
-using merging::PackedMesh;
-using merging::PlacedMesh;
+using processors::merge_instances::MergeableSet;
+using processors::merge_instances::PackedMesh;
+using processors::merge_instances::PlacedMesh;
 
 /// `first_vertex`: [mesh]; empty where no buffer is chosen yet.
 std::vector<PackedMesh> meshes_of(const Scene& scene, const MergeableSet& set,
@@ -30,7 +30,7 @@ std::vector<PackedMesh> meshes_of(const Scene& scene, const MergeableSet& set,
 std::vector<PlacedMesh> placed_of(const MergeableSet& set) {
   std::vector<PlacedMesh> placed;
   placed.reserve(set.placements.size());
-  for (const merging::MergeablePlacement& placement : set.placements) {
+  for (const processors::merge_instances::MergeablePlacement& placement : set.placements) {
     placed.push_back({placement.mesh, placement.world, placement.box});
   }
   return placed;
@@ -40,7 +40,7 @@ std::vector<PlacedMesh> placed_of(const MergeableSet& set) {
 std::uint64_t plain_draws(const MergeableSet& set) {
   std::vector<std::pair<NodeId, std::uint32_t>> drawn;
   drawn.reserve(set.placements.size());
-  for (const merging::MergeablePlacement& placement : set.placements) {
+  for (const processors::merge_instances::MergeablePlacement& placement : set.placements) {
     drawn.push_back({placement.place.node, placement.place.primitive});
   }
   std::ranges::sort(drawn);
@@ -48,14 +48,14 @@ std::uint64_t plain_draws(const MergeableSet& set) {
 }
 
 /// What is known only when slots and groups are: whether the draws that are saved are worth what the shader does more.
-std::string why_not_worth_it(const MergeableSet& set, const merging::SlotLayout& layout,
+std::string why_not_worth_it(const MergeableSet& set, const processors::merge_instances::SlotLayout& layout,
                              const MergeInstancesOptions& options) {
   const std::uint64_t before = plain_draws(set);
   const std::uint64_t after = layout.draws();
   const auto text = [](std::uint64_t number) { return std::to_string(number); };
   if (after >= before) return text(before) + " draws would become " + text(after);
   double more = static_cast<double>(layout.frequencies.padded);
-  for (const merging::MergeableMesh& mesh : set.meshes) {
+  for (const processors::merge_instances::MergeableMesh& mesh : set.meshes) {
     more += static_cast<double>(mesh.placed) * (static_cast<double>(mesh.indices) - static_cast<double>(mesh.shaded));
   }
   if (more <= static_cast<double>(before - after) * options.draw_cost) return "";
@@ -72,9 +72,10 @@ void share_vertices(const Scene& scene, std::vector<MergedSet>& sets) {
   for (const auto& [layout, alike] : of_layout) {
     std::vector<DrawId> draws;
     for (const MergedSet* set : alike) {
-      for (const merging::MergeableMesh& mesh : set->set.meshes) draws.push_back(mesh.draw);
+      for (const processors::merge_instances::MergeableMesh& mesh : set->set.meshes) draws.push_back(mesh.draw);
     }
-    const merging::SharedVertices shared = merging::shared_vertices(scene, draws);
+    const processors::merge_instances::SharedVertices shared =
+        processors::merge_instances::shared_vertices(scene, draws);
     auto first = shared.first.begin();
     for (MergedSet* set : alike) {
       set->vertices = shared.vertices;
@@ -87,26 +88,29 @@ void share_vertices(const Scene& scene, std::vector<MergedSet>& sets) {
 
 }  // namespace
 
-merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& set,
-                                          const MergeInstancesOptions& options, const Executor& executor) {
-  return merging::pack_instances(meshes_of(scene, set.set, set.first_vertex), placed_of(set.set), set.layout.groups,
-                                 set.layout.frequencies, {options.cut_well}, executor);
+processors::merge_instances::PackedInstances packed_instances(const Scene& scene, const MergedSet& set,
+                                                              const MergeInstancesOptions& options,
+                                                              const Executor& executor) {
+  return processors::merge_instances::pack_instances(meshes_of(scene, set.set, set.first_vertex), placed_of(set.set),
+                                                     set.layout.groups, set.layout.frequencies, {options.cut_well},
+                                                     executor);
 }
 
 MergedScene merge_scene(const Scene& scene, std::span<const DrawId> draws, const MergeSceneOptions& options,
                         const Executor& executor) {
-  merging::MergeableOptions wanted;
+  processors::merge_instances::MergeableOptions wanted;
   wanted.materials = options.materials;
   wanted.skinned = options.skinned;
   wanted.poses = options.poses;
   wanted.draw_cost = options.draw_cost;
-  merging::MergeableScene found = merging::mergeable_scene(scene, draws, wanted, executor);
+  processors::merge_instances::MergeableScene found =
+      processors::merge_instances::mergeable_scene(scene, draws, wanted, executor);
   MergedScene result;
   result.left_alone = std::move(found.left_alone);
   for (MergeableSet& set : found.sets) {
-    merging::SlotLayout layout;
+    processors::merge_instances::SlotLayout layout;
     if (set.why_not.empty()) {
-      layout = merging::slot_layout(meshes_of(scene, set, {}), placed_of(set), options, executor);
+      layout = processors::merge_instances::slot_layout(meshes_of(scene, set, {}), placed_of(set), options, executor);
       set.why_not = why_not_worth_it(set, layout, options);
     }
     if (!set.why_not.empty()) {
@@ -123,7 +127,7 @@ MergedScene merge_scene(const Scene& scene, std::span<const DrawId> draws, const
 }
 
 MergedInstances merged_instances(const Scene& scene, const MergedSet& set) {
-  const merging::PackedInstances& packed = set.packed;
+  const processors::merge_instances::PackedInstances& packed = set.packed;
   MergedInstances merged;
   merged.material = set.set.material;
   merged.vertices = set.vertices;
@@ -137,7 +141,7 @@ MergedInstances merged_instances(const Scene& scene, const MergedSet& set) {
   std::vector<MergedPlace> places;
   std::vector<std::uint32_t> materials;
   for (const std::uint32_t number : packed.placed) {
-    const merging::MergeablePlacement& placement = set.set.placements[number];
+    const processors::merge_instances::MergeablePlacement& placement = set.set.placements[number];
     places.push_back(placement.place);
     const Draw& draw = scene.draws[set.set.meshes[placement.mesh].draw];
     if (draw.material) materials.push_back(*draw.material);

@@ -5,6 +5,7 @@
 #include <foredraw/analysis/moved_nodes.h>
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/base/counted.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/viewing/animation.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -17,7 +18,7 @@
 #include <map>
 #include <utility>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -55,7 +56,7 @@ std::string why_not_merged(const Scene& scene, const Draw& draw, const Mergeable
 
 /// What of a draw does not depend on where it is placed.
 struct DrawFacts {
-  Box box;  ///< of the positions that are drawn; empty where one is not finite
+  Box<glm::vec3> box;  ///< of the positions that are drawn; empty where one is not finite
   std::uint64_t shaded = 0;
 };
 
@@ -70,36 +71,29 @@ DrawFacts facts_of(const Draw& draw) {
     if (is_added[index] != 0) continue;
     is_added[index] = 1;
     const glm::vec3& point = decoded[index];
-    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) return {Box{}, facts.shaded};
+    if (!is_finite(point)) return {{}, facts.shaded};
     facts.box.add(point);
   }
   return facts;
 }
 
 /// The upright box around a box that a transform turns: its middle goes along, and each half side adds up.
-Box box_in_world(const Box& box, const glm::mat4& world) {
-  Box result;
+Box<glm::vec3> box_in_world(const Box<glm::vec3>& box, const glm::mat4& world) {
+  Box<glm::vec3> result;
   for (int row = 0; row < 3; ++row) {
     double middle = world[3][row], half = 0;
     for (int column = 0; column < 3; ++column) {
       const double element = world[column][row];
-      middle += element * (double{box.least[column]} + double{box.most[column]}) / 2;
-      half += std::abs(element) * (double{box.most[column]} - double{box.least[column]}) / 2;
+      middle += element * (double{box.min[column]} + double{box.max[column]}) / 2;
+      half += std::abs(element) * (double{box.max[column]} - double{box.min[column]}) / 2;
     }
     // Outwards to floats: nothing sticks out.
-    result.least[row] = static_cast<float>(middle - half);
-    if (double{result.least[row]} > middle - half) result.least[row] = std::nextafter(result.least[row], -beyond_all);
-    result.most[row] = static_cast<float>(middle + half);
-    if (double{result.most[row]} < middle + half) result.most[row] = std::nextafter(result.most[row], beyond_all);
+    result.min[row] = static_cast<float>(middle - half);
+    if (double{result.min[row]} > middle - half) result.min[row] = std::nextafter(result.min[row], -beyond_all);
+    result.max[row] = static_cast<float>(middle + half);
+    if (double{result.max[row]} < middle + half) result.max[row] = std::nextafter(result.max[row], beyond_all);
   }
   return result;
-}
-
-bool is_finite(const Box& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(box.least[axis]) || !std::isfinite(box.most[axis])) return false;
-  }
-  return true;
 }
 
 /// Why the set's draws stay as they are; empty: they should be merged.
@@ -154,8 +148,8 @@ class Sorting {
 };
 
 /// Where a draw's triangles are in all poses.
-Box box_of_poses(const Scene& scene, const SubjectPart& part, std::span<const PosedNodes> poses) {
-  Box box;
+Box<glm::vec3> box_of_poses(const Scene& scene, const SubjectPart& part, std::span<const PosedNodes> poses) {
+  Box<glm::vec3> box;
   for (const PosedNodes& nodes : poses) {
     const std::vector<glm::vec3> positions = posed_positions(scene, part, nodes);
     for (const std::uint32_t index : scene.draws[part.draw].levels[0].orders[0].indices.view())
@@ -196,7 +190,7 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   struct PlaceInSet {
     std::size_t set = 0;
     std::uint32_t mesh = 0;
-    Box box;
+    Box<glm::vec3> box;
   };
   std::vector<PlaceInSet> places(scene.draws.size());
   Sorting sorting(scene, options.materials);
@@ -246,7 +240,8 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
         placement.box = box_in_world(in.box, to_world);
       }
       if (why.empty()) {
-        if (!is_finite(placement.box)) why = "in the world it is too large for 32-bit floats";
+        if (!is_finite(placement.box.min) || !is_finite(placement.box.max))
+          why = "in the world it is too large for 32-bit floats";
       }
       if (!why.empty()) {
         result.left_alone.push_back({id, n, std::move(why)});
@@ -283,4 +278,4 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

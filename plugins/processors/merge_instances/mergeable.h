@@ -5,7 +5,7 @@
 #include "seen_boxes.h"
 
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/scene.h>
 
@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct MergeablePlacement {
   std::uint32_t mesh = 0;  ///< its number in the set
   MergedPlace place;
   glm::mat4 world{1};
-  Box box;  ///< in the world
+  Box<glm::vec3> box;  ///< in the world
 };
 
 /// A draw of the set, as often as it is placed.
@@ -79,4 +79,4 @@ struct MergeableScene {
 MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws, const MergeableOptions& options,
                                const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

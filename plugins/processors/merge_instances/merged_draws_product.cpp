@@ -41,16 +41,18 @@ class MergedDrawsRow final : public ProductRow {
                     .side_files = {{".json", ".bin"}, {".glsl"}, {".hlsl"}}}) {}
 
   std::string read(ExtensionReader& from, Scene& scene) const override {
-    auto read = merging::read_merged_draws(from, scene);
+    auto read = processors::merge_instances::read_merged_draws(from, scene);
     if (auto* wrong = std::get_if<std::string>(&read)) return std::move(*wrong);
     scene.products.set(std::get<MergedDraws>(std::move(read)));
     return {};
   }
 
-  void write(const Scene& scene, ExtensionWriter& to) const override { merging::write_merged_draws(scene, to); }
+  void write(const Scene& scene, ExtensionWriter& to) const override {
+    processors::merge_instances::write_merged_draws(scene, to);
+  }
 
   std::string difference(const Scene& scene) const override {
-    merging::MergedProof proof(scene);
+    processors::merge_instances::MergedProof proof(scene);
     const auto sets = merged_sets(scene);
     for (std::size_t s = 0; s < sets.size(); ++s) {
       const std::string found = proof.difference(sets[s]);
@@ -71,7 +73,7 @@ class MergedDrawsRow final : public ProductRow {
   }
 
   SideFile side_file(const Scene& scene, std::string_view extension, const std::string& beside) const override {
-    return merging::merged_side_file(scene, extension, beside);
+    return processors::merge_instances::merged_side_file(scene, extension, beside);
   }
 
   ProductText told(const Scene& scene) const override {

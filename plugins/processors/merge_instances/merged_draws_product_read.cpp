@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -205,4 +205,4 @@ std::variant<MergedDraws, std::string> read_merged_draws(ExtensionReader& from, 
   return Reader(from, scene).read();
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -166,4 +166,4 @@ SideFile merged_side_file(const Scene& scene, std::string_view extension, const 
   }
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

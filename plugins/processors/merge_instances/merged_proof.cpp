@@ -8,7 +8,7 @@
 #include <cmath>
 #include <unordered_map>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -185,4 +185,4 @@ std::string MergedProof::triangles(const MergedInstances& set) {
   return {};
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -1,7 +1,7 @@
 #pragma once
 // Whether merged draws show what the nodes show that they stand for.
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <map>
 #include <optional>
@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// Holds sets of a scene's merged draws against its nodes, so that what was merged before somebody moved a node or
 /// changed a mesh is not drawn any more. Takes time in the order of what the scene and the sets hold, whatever they
@@ -50,4 +50,4 @@ class MergedProof {
   std::map<DrawId, std::uint32_t> first_vertex_;  ///< of the set
 };
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

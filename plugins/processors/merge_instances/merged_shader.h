@@ -2,7 +2,7 @@
 // The vertex fetch of merged draws as functions of a shader, with the draws' constants.
 
 #include <foredraw/base/shader_language.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <cstdint>
 #include <span>

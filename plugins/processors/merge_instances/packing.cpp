@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -194,7 +194,7 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   for (std::uint32_t g = 0; g < group_count; ++g) {
     first_slot.push_back(slots);
     add_draws(g, own[g], frequencies, options, slots, result.draws);
-    result.groups.push_back({groups.bounds[g].least, groups.bounds[g].most, first[g], first[g + 1] - first[g]});
+    result.groups.push_back({groups.bounds[g].min, groups.bounds[g].max, first[g], first[g + 1] - first[g]});
   }
   result.slots.resize(slots);
   std::vector<std::array<std::uint64_t, 4>> counts(group_count);
@@ -229,4 +229,4 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// What a transform makes of a mesh. Only plain and mirrored ones can be merged.
 enum class Placing : std::uint8_t {
@@ -44,4 +44,4 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
                                const SpatialGroups& groups, const FrequencyChoice& frequencies,
                                const PackOptions& options, const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

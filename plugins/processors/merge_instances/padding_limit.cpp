@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::optional<LimitedSlots> limited_slots(std::span<const MeshSize> sizes, std::
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct LimitedSlots {
   std::uint64_t slots = 0;
@@ -20,4 +20,4 @@ struct LimitedSlots {
 std::optional<LimitedSlots> limited_slots(std::span<const MeshSize> sizes, std::span<const std::uint32_t> frequencies,
                                           std::uint64_t most_padded, std::uint64_t fewer_than);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

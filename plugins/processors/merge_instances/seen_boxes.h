@@ -1,9 +1,11 @@
 #pragma once
 // How likely a camera sees any of a box.
 
-#include "box.h"
+#include <foredraw/geometry/box.h>
 
-namespace foredraw::merging {
+#include <glm/vec3.hpp>
+
+namespace foredraw::processors::merge_instances {
 
 /// The part of all frustums that see anything of a scene which also touch a box in it: cameras stand anywhere and look
 /// anywhere, all equally likely.
@@ -14,14 +16,14 @@ namespace foredraw::merging {
 class SeenBoxes {
  public:
   /// `view_distance`: of the frustum, in the scene's units; above 0.
-  SeenBoxes(const Box& scene, double view_distance)
+  SeenBoxes(const Box<glm::vec3>& scene, double view_distance)
       : volume_(frustum_volume * view_distance * view_distance * view_distance),
         surface_(frustum_surface * view_distance * view_distance),
         curvature_(frustum_curvature * view_distance),
         of_scene_(1 / measure(scene)) {}
 
   /// From above 0 to 1; larger boxes are seen more often.
-  double operator()(const Box& box) const { return measure(box) * of_scene_; }
+  double operator()(const Box<glm::vec3>& box) const { return measure(box) * of_scene_; }
 
   // Of the pyramid of height 1.
   static constexpr double frustum_volume = 0.7901234567901233;
@@ -29,8 +31,8 @@ class SeenBoxes {
   static constexpr double frustum_curvature = 10.756973903504594;
 
  private:
-  double measure(const Box& box) const {
-    const glm::dvec3 side = glm::dvec3(box.most) - glm::dvec3(box.least);
+  double measure(const Box<glm::vec3>& box) const {
+    const glm::dvec3 side = glm::dvec3(box.max) - glm::dvec3(box.min);
     const double volume = side.x * side.y * side.z;
     const double surface = 2 * (side.x * side.y + side.y * side.z + side.z * side.x);
     // A box's curvature lies in its edges, four of each direction, that turn by a right angle: pi for each side's
@@ -43,4 +45,4 @@ class SeenBoxes {
   double of_scene_ = 1;
 };
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 SharedVertices shared_vertices(const Scene& scene, std::span<const DrawId> draws) {
   SharedVertices result;
@@ -40,4 +40,4 @@ SharedVertices shared_vertices(const Scene& scene, std::span<const DrawId> draws
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct SharedVertices {
   std::shared_ptr<const VertexStreams> vertices;
@@ -19,4 +19,4 @@ struct SharedVertices {
 /// draws look into are there once. Throws std::length_error where there are more than 32 bits can number.
 SharedVertices shared_vertices(const Scene& scene, std::span<const DrawId> draws);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

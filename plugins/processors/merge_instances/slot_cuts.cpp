@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -104,4 +104,4 @@ SlotCuts cut_slots(std::span<const std::uint32_t> indices, std::size_t vertices,
   return cuts;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

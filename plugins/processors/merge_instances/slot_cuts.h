@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct SlotCuts {
   std::vector<std::uint32_t> first;  ///< [slot] its first index entry in the mesh; and the end
@@ -25,4 +25,4 @@ SlotCuts cut_slots(std::span<const std::uint32_t> indices, std::size_t vertices,
 /// Every slot full but the last one.
 SlotCuts cut_evenly(std::span<const std::uint32_t> indices, std::size_t vertices, std::uint32_t frequency);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -53,4 +53,4 @@ SlotLayout slot_layout(std::span<const PackedMesh> meshes, std::span<const Place
   return layout;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 #include "merge_instances.h"
 #include "spatial_groups.h"
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct SlotLayout {
   FrequencyChoice frequencies;
@@ -18,4 +18,4 @@ struct SlotLayout {
 SlotLayout slot_layout(std::span<const PackedMesh> meshes, std::span<const PlacedMesh> placed,
                        const MergeInstancesOptions& options, const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<MergedSlot> outward_slots(const MergedInstances& merged, const Execu
   return sorted;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

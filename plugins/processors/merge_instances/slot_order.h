@@ -2,13 +2,13 @@
 // The sequence of slots in a merged draw: any is as good for the GPU, so the one that hides most is free.
 
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/scene.h>
 
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// A group's merged draws as draws of a scene of their own: a triangle list in the world for each, with all attributes,
 /// of the set's first material, whose holes those of other materials are taken to be.
@@ -19,4 +19,4 @@ Scene group_scene(const Scene& scene, const MergedInstances& merged, std::uint32
 /// DotRule".
 std::vector<MergedSlot> outward_slots(const MergedInstances& merged, const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

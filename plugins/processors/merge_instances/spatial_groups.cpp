@@ -1,5 +1,7 @@
 #include "spatial_groups.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include "group_merging.h"
 #include "group_tree.h"
 
@@ -10,22 +12,18 @@
 #include <stdexcept>
 #include <string>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
 constexpr std::size_t chunk = 16384;  ///< instances that a task looks at: fixed, whatever the number of threads
 
-bool is_finite(const glm::vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-Box scene_box(std::span<const PlacedBox> instances) {
-  Box all;
+Box<glm::vec3> scene_box(std::span<const PlacedBox> instances) {
+  Box<glm::vec3> all;
   for (std::size_t i = 0; i < instances.size(); ++i) {
-    const Box& box = instances[i].box;
-    if (!is_finite(box.least) || !is_finite(box.most) || box.is_empty() || !(box.least.y <= box.most.y) ||
-        !(box.least.z <= box.most.z)) {
+    const Box<glm::vec3>& box = instances[i].box;
+    if (!is_finite(box.min) || !is_finite(box.max) || box.is_empty() || !(box.min.y <= box.max.y) ||
+        !(box.min.z <= box.max.z)) {
       throw std::invalid_argument("instance " + std::to_string(i) + " has no finite bounding box");
     }
     all.add(box);
@@ -33,9 +31,9 @@ Box scene_box(std::span<const PlacedBox> instances) {
   return all;
 }
 
-double view_distance_in(const Box& scene, const GroupOptions& options) {
+double view_distance_in(const Box<glm::vec3>& scene, const GroupOptions& options) {
   if (options.view_distance > 0) return options.view_distance;
-  const glm::dvec3 side = glm::dvec3(scene.most) - glm::dvec3(scene.least);
+  const glm::dvec3 side = glm::dvec3(scene.max) - glm::dvec3(scene.min);
   const double diagonal = std::sqrt(side.x * side.x + side.y * side.y + side.z * side.z);
   return diagonal > 0 ? diagonal / 4 : 1;
 }
@@ -68,7 +66,7 @@ SpatialGroups spatial_groups(std::span<const PlacedBox> instances, const GroupOp
                              const Executor& executor) {
   SpatialGroups result;
   if (instances.empty()) return result;
-  const Box scene = scene_box(instances);
+  const Box<glm::vec3> scene = scene_box(instances);
   result.view_distance = view_distance_in(scene, options);
   const SeenBoxes seen_boxes(scene, result.view_distance);
   std::vector<TreeItem> items = items_of(instances, seen_boxes, executor);
@@ -105,16 +103,16 @@ SpatialGroups spatial_groups(std::span<const PlacedBox> instances, const GroupOp
 
 GroupCost best_grid(std::span<const PlacedBox> instances, const GroupOptions& options) {
   if (instances.empty()) return {};
-  const Box scene = scene_box(instances);
+  const Box<glm::vec3> scene = scene_box(instances);
   const SeenBoxes seen_boxes(scene, view_distance_in(scene, options));
-  const glm::dvec3 side = glm::dvec3(scene.most) - glm::dvec3(scene.least);
+  const glm::dvec3 side = glm::dvec3(scene.max) - glm::dvec3(scene.min);
   const double longest = std::max({side.x, side.y, side.z});
   GroupCost best{0, std::numeric_limits<double>::infinity()};
   for (std::uint64_t along = 1; along <= 1024; along *= 2) {
-    const auto cell_of = [&](const Box& box) {
+    const auto cell_of = [&](const Box<glm::vec3>& box) {
       std::uint64_t key = 0;
       for (int axis = 0; axis < 3; ++axis) {
-        const double middle = (double{box.least[axis]} + double{box.most[axis]}) / 2 - double{scene.least[axis]};
+        const double middle = (double{box.min[axis]} + double{box.max[axis]}) / 2 - double{scene.min[axis]};
         const double at = longest > 0 ? middle / longest * static_cast<double>(along) : 0;
         key = key * along + std::min(along - 1, static_cast<std::uint64_t>(at));
       }
@@ -141,4 +139,4 @@ GroupCost best_grid(std::span<const PlacedBox> instances, const GroupOptions& op
   return best;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

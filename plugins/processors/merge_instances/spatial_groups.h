@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct PlacedBox {
-  Box box;  ///< in the world; finite, not empty
+  Box<glm::vec3> box;  ///< in the world; finite, not empty
   std::uint32_t indices = 0;
 };
 
@@ -38,7 +38,7 @@ struct GroupCost {
 struct SpatialGroups {
   std::vector<std::uint32_t> instances;  ///< numbers of the instances, group after group, rising in each
   std::vector<std::uint32_t> first{0};   ///< [group] where it begins in `instances`; and the end
-  std::vector<Box> bounds;               ///< [group]
+  std::vector<Box<glm::vec3>> bounds;    ///< [group]
   GroupCost cost;
   GroupCost before_merging;  ///< of the tree's groups
   double view_distance = 0;  ///< that was reckoned with
@@ -61,4 +61,4 @@ SpatialGroups spatial_groups(std::span<const PlacedBox> instances, const GroupOp
 /// of two. Each instance is in its middle's cell, and cells beyond the budgets take as many draws as these allow.
 GroupCost best_grid(std::span<const PlacedBox> instances, const GroupOptions& options);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -3,7 +3,7 @@
 // Surface Simplification Using Quadric Error Metrics, SIGGRAPH 1997; Botsch, Steinberg, Bischoff, Kobbelt: OpenMesh, a
 // generic and efficient polygon mesh data structure, OpenSG Symposium 2002.
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

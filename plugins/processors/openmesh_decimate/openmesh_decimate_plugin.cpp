@@ -10,21 +10,6 @@ struct Options : OpenmeshDecimateOptions {
   double until = CollapseProcessorOptions{}.until;
 };
 
-class OpenmeshDecimate final : public Simplifier {
- public:
-  explicit OpenmeshDecimate(const OpenmeshDecimateOptions& options) : options_(options) {}
-
-  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
-    OpenmeshDecimateOptions options = options_;
-    options.least = least;
-    options.cancel = run.cancel;
-    return openmesh_decimate(of.mesh.positions, of.mesh.indices, options);
-  }
-
- private:
-  OpenmeshDecimateOptions options_;
-};
-
 }  // namespace
 
 Plugin openmesh_decimate_plugin() {
@@ -47,7 +32,13 @@ Plugin openmesh_decimate_plugin() {
            "Farthest that original vertices may come to lie from the surface, as a share of the box's diagonal",
            {.least = 0, .most = 1});
   bind_options(plugin, table, [](const Options& options) -> Technique {
-    return collapse_processor(std::make_unique<const OpenmeshDecimate>(options), {.until = options.until});
+    const auto find = [options](const MeshInScene& of, std::size_t least, Run& run) {
+      OpenmeshDecimateOptions own = options;
+      own.least = least;
+      own.cancel = run.cancel;
+      return openmesh_decimate(of.mesh.positions, of.mesh.indices, own);
+    };
+    return collapse_processor(find, {.until = options.until});
   });
   return plugin;
 }

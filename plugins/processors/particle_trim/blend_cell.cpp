@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -70,4 +70,4 @@ void BlendCell::add_shown(double threshold, const Box& frame, std::vector<Point>
   add_rounded(origin + glm::clamp(meeting, glm::min(p, q), glm::max(p, q)), box, points);
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

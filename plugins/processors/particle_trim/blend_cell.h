@@ -1,7 +1,7 @@
 #pragma once
 #include "footprint.h"
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// The square between the centres of four texels, in which a sampler blends them: f = (1 - u)(1 - v) f00 + u (1 - v)
 /// f10 + (1 - u) v f01 + u v f11. Where f is one number lies a hyperbola.
@@ -15,4 +15,4 @@ struct BlendCell {
   void add_shown(double threshold, const Box& frame, std::vector<Point>& points) const;
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

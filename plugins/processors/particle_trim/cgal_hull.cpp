@@ -9,7 +9,7 @@
 
 #include <iterator>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 std::vector<Point> convex_hull(std::vector<Point> points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -25,6 +25,6 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   return points;
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim
 
 #endif

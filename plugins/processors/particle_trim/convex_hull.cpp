@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 std::vector<Point> monotone_chain(std::vector<Point> points) {
   std::ranges::sort(points);
@@ -24,4 +24,4 @@ std::vector<Point> monotone_chain(std::vector<Point> points) {
 std::vector<Point> convex_hull(std::vector<Point> points) { return monotone_chain(std::move(points)); }
 #endif
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

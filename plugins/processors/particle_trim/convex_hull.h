@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// Which the build made out: a monotone chain in 64-bit integers, or CGAL.
 std::vector<Point> convex_hull(std::vector<Point> points);
@@ -15,4 +15,4 @@ std::vector<Point> convex_hull(std::vector<Point> points);
 /// to be below 2^30. O(n log n). Source: Andrew 1979, monotone chain.
 std::vector<Point> monotone_chain(std::vector<Point> points);
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -174,4 +174,4 @@ std::optional<Enclosing> reduced_enclosing(std::span<const Point> hull, int n, i
   return Sets(pockets, std::move(edges), corners).best();
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

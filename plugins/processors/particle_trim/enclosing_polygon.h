@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 struct Enclosing {
   std::vector<glm::dvec2> corners;  ///< round the hull in its own direction
@@ -27,4 +27,4 @@ std::optional<Enclosing> smallest_enclosing(std::span<const Point> hull, int n, 
 std::optional<Enclosing> reduced_enclosing(std::span<const Point> hull, int n, int most_edges,
                                            const Allowed& allowed = {});
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

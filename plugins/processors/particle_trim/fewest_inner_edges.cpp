@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 std::vector<std::array<std::uint32_t, 3>> fewest_inner_edges(std::span<const glm::dvec2> corners) {
   const std::size_t count = corners.size();
@@ -42,4 +42,4 @@ std::vector<std::array<std::uint32_t, 3>> fewest_inner_edges(std::span<const glm
   return triangles;
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame
   return convex_hull(std::move(points));
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 struct FootprintOptions {
   double threshold = 0;  ///< what is above it shows; 0 to 1
@@ -63,4 +63,4 @@ class ShownImage {
 /// it, as far as it lies in the frame.
 std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame, const FootprintOptions& options);
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -67,4 +67,4 @@ void HopTable::trace(std::size_t i, std::size_t steps, std::vector<std::size_t>&
   second_->trace(i + m, steps - m, hops);
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

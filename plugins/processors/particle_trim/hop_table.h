@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// The cheapest ways of a fixed number of hops from each edge to those behind it, at most once round.
 class HopTable {
@@ -30,4 +30,4 @@ class HopTable {
   std::shared_ptr<const HopTable> first_, second_;  ///< of a joined one
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -12,7 +12,7 @@
 
 namespace foredraw {
 
-using namespace trim;
+using namespace processors::particle_trim;
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 namespace foredraw {
 
-namespace trim {
+namespace processors::particle_trim {
 
 enum class Footprint : std::uint8_t {
   texels,          ///< the texels themselves: right where nothing is blended
@@ -25,7 +25,7 @@ enum class UvFormat : std::uint8_t { float32, float16, unorm16 };
 
 class ShownImage;  // footprint.h
 
-}  // namespace trim
+}  // namespace processors::particle_trim
 
 enum class TrimMethod : std::uint8_t { optimal, persson };
 
@@ -37,17 +37,17 @@ struct ParticleTrimOptions {
   TrimMethod method = TrimMethod::optimal;
   double threshold = 0;  ///< what is above it shows; 0 to 1
   AlphaChannel channel = AlphaChannel::alpha;
-  trim::Footprint footprint = trim::Footprint::bilinear;
+  processors::particle_trim::Footprint footprint = processors::particle_trim::Footprint::bilinear;
   int mip_levels = 2;  ///< smaller versions of the image that may be sampled; 0 to 14
   double padding = 0;  ///< texels more on each side; 0 to 64
-  trim::UvFormat uv = trim::UvFormat::float32;
+  processors::particle_trim::UvFormat uv = processors::particle_trim::UvFormat::float32;
   TrimWinding winding = TrimWinding::as_before;  ///< as the quad's
   double least_saving = 0.05;                    ///< of the frame, below which a sprite stays as it is; 0 to 1
   int hull_edges = 24;                           ///< of method persson: to which the hull is reduced first; 3 to 32
 };
 
 /// A part of an image that is drawn by itself: upright, in 1/256 texel from the image's upper left corner, y down.
-using TrimFrame = trim::Box;
+using TrimFrame = processors::particle_trim::Box;
 
 struct TrimmedSprite {
   enum class Outcome : std::uint8_t {
@@ -73,10 +73,10 @@ struct TrimmedSprite {
 std::vector<TrimmedSprite> particle_trim(const AlphaImage& image, const Sampling& sampling,
                                          std::span<const TrimFrame> frames, const ParticleTrimOptions& options = {});
 
-/// The same for an image that is asked about several times: trim::ShownImage(image, sampling,
-/// trim::footprint_of(options)).
-std::vector<TrimmedSprite> particle_trim(const trim::ShownImage& image, std::span<const TrimFrame> frames,
-                                         const ParticleTrimOptions& options = {});
+/// The same for an image that is asked about several times: processors::particle_trim::ShownImage(image, sampling,
+/// processors::particle_trim::footprint_of(options)).
+std::vector<TrimmedSprite> particle_trim(const processors::particle_trim::ShownImage& image,
+                                         std::span<const TrimFrame> frames, const ParticleTrimOptions& options = {});
 
 struct Plugin;
 Plugin particle_trim_plugin();

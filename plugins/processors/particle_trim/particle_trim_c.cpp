@@ -12,7 +12,9 @@ using namespace foredraw;
 namespace {
 
 constexpr std::array wraps = {Wrap::repeat, Wrap::mirrored, Wrap::clamped};  // by FOREDRAW_WRAP_REPEAT and so on
-constexpr std::array formats = {trim::UvFormat::float32, trim::UvFormat::float16, trim::UvFormat::unorm16};
+constexpr std::array formats = {processors::particle_trim::UvFormat::float32,
+                                processors::particle_trim::UvFormat::float16,
+                                processors::particle_trim::UvFormat::unorm16};
 constexpr std::size_t room = 16;  // corners of a frame
 
 bool is_between(double number, double least, double most) { return number >= least && number <= most; }
@@ -28,7 +30,7 @@ bool is_in_range(const foredraw_trim_options& options) {
 std::optional<TrimFrame> frame_in(const foredraw_rectangle& frame, const AlphaImage& image) {
   const std::uint64_t right = std::uint64_t{frame.x} + frame.width, down = std::uint64_t{frame.y} + frame.height;
   if (frame.width == 0 || frame.height == 0 || right > image.width || down > image.height) return std::nullopt;
-  const auto place = [](std::uint64_t x, std::uint64_t y) -> trim::Point {
+  const auto place = [](std::uint64_t x, std::uint64_t y) -> processors::particle_trim::Point {
     return {static_cast<std::int64_t>(x) * steps_per_texel, static_cast<std::int64_t>(y) * steps_per_texel};
   };
   return TrimFrame{place(frame.x, frame.y), place(right, down)};
@@ -74,7 +76,7 @@ int foredraw_particle_trim(foredraw_trimmed* trimmed, double* corners, const for
     wanted.uv = formats[given.uv];
     wanted.winding = TrimWinding::clockwise;
     const Sampling sampling{{wraps[given.wrap_u], wraps[given.wrap_v]}, given.is_nearest == 1};
-    const trim::ShownImage shown(alpha, sampling, trim::footprint_of(wanted));
+    const processors::particle_trim::ShownImage shown(alpha, sampling, processors::particle_trim::footprint_of(wanted));
 
     std::vector<TrimmedSprite> sprites;
     for (const TrimFrame& place : places) sprites.push_back(particle_trim(shown, {&place, 1}, wanted).front());

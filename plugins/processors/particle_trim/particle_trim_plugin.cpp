@@ -1,7 +1,7 @@
 #include "footprint.h"
 #include "sprite_quads.h"
 
-#include <foredraw/technique/alpha_options.h>
+#include <foredraw/measuring/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@ namespace foredraw {
 
 namespace {
 
-using trim::ShownImage;
-using trim::SpriteQuad;
+using processors::particle_trim::ShownImage;
+using processors::particle_trim::SpriteQuad;
 
 /// A draw whose quads can be trimmed.
 struct SpriteDraw {
@@ -37,7 +37,7 @@ struct ShownQuad {
   TrimFrame frame;
   TrimmedSprite* sprite = nullptr;
 
-  trim::Point size() const { return frame.most - frame.least; }
+  processors::particle_trim::Point size() const { return frame.most - frame.least; }
 };
 
 struct Told {
@@ -66,9 +66,9 @@ struct Options : ParticleTrimOptions {
   bool shared = false;  // one polygon for all frames of an image that are of one size
 };
 
-class ParticleTrim final : public Processor {
+class ParticleTrimProcessor final : public Processor {
  public:
-  explicit ParticleTrim(Options options) : options_(options) {}
+  explicit ParticleTrimProcessor(Options options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<SpriteDraw> sprites = sprites_of(scene, draws, run);
@@ -112,7 +112,7 @@ class ParticleTrim final : public Processor {
         continue;
       }
       SpriteDraw sprite{id, &texture, std::get<std::shared_ptr<const AlphaImage>>(image), {}, {}};
-      auto quads = trim::sprite_quads(scene.draws[id], texture, *sprite.image);
+      auto quads = processors::particle_trim::sprite_quads(scene.draws[id], texture, *sprite.image);
       if (const std::string* why = std::get_if<std::string>(&quads)) {
         run.note_at({id}, "left-alone", "not trimmed: " + *why);
         continue;
@@ -136,7 +136,8 @@ class ParticleTrim final : public Processor {
       const Sampling sampling = sprite.sampling();
       const auto [number, is_new] = numbers.try_emplace(
           {sprite.image.get(), sampling.wrap[0], sampling.wrap[1], sampling.is_nearest}, images.size());
-      if (is_new) images.emplace_back(new ShownImage(*sprite.image, sampling, trim::footprint_of(options_)));
+      if (is_new)
+        images.emplace_back(new ShownImage(*sprite.image, sampling, processors::particle_trim::footprint_of(options_)));
       for (std::size_t q = 0; q < sprite.quads.size(); ++q) {
         quads.push_back({number->second, sprite.quads[q].frame, &sprite.sprites[q]});
       }
@@ -235,17 +236,17 @@ Plugin particle_trim_plugin() {
       .choice(&ParticleTrimOptions::footprint, "footprint",
               "How far a visible texel reaches. texels: its square, for nearest filtering; bilinear-loose: all that "
               "blends with it; bilinear: where the blend is above the threshold",
-              {{"texels", trim::Footprint::texels},
-               {"bilinear-loose", trim::Footprint::bilinear_loose},
-               {"bilinear", trim::Footprint::bilinear}})
+              {{"texels", processors::particle_trim::Footprint::texels},
+               {"bilinear-loose", processors::particle_trim::Footprint::bilinear_loose},
+               {"bilinear", processors::particle_trim::Footprint::bilinear}})
       .row(&ParticleTrimOptions::mip_levels, "mip-levels",
            "How many smaller mip levels may be sampled; more make polygons larger, 0 is for images without mipmaps",
            {0, 14, "levels"})
       .row(&ParticleTrimOptions::padding, "padding", "Extra margin on each side, for wider filters", {0, 64, "texels"})
       .choice(&ParticleTrimOptions::uv, "uv", "Format of the texture coordinates, to which polygons are rounded",
-              {{"float32", trim::UvFormat::float32},
-               {"float16", trim::UvFormat::float16},
-               {"unorm16", trim::UvFormat::unorm16}})
+              {{"float32", processors::particle_trim::UvFormat::float32},
+               {"float16", processors::particle_trim::UvFormat::float16},
+               {"unorm16", processors::particle_trim::UvFormat::unorm16}})
       .choice(&ParticleTrimOptions::winding, "winding",
               "Winding of the polygons as seen in the image; kept: that of the quads",
               {{"kept", TrimWinding::as_before},
@@ -256,7 +257,7 @@ Plugin particle_trim_plugin() {
            "Sprites that would save less than this stay as they are", {0, 1, "of the frame"})
       .row(&ParticleTrimOptions::hull_edges, "hull-edges",
            "With method persson: edges that the hull is reduced to first", {3, 32, "edges"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<ParticleTrim>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<ParticleTrimProcessor>(options); });
   return plugin;
 }
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// Whether a polygon may cover this triangle, which lies beside the hull.
 using Allowed = std::function<bool(const glm::dvec2&, const glm::dvec2&, const glm::dvec2&)>;
@@ -62,4 +62,4 @@ class Pockets {
   std::vector<std::int64_t> sums_;  ///< [i] = of cross() of the corners before i with the next
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -3,7 +3,7 @@
 #include <limits>
 #include <queue>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::vector<std::size_t> reduced_hull(const Pockets& pockets, std::size_t most) 
   return kept;
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -200,4 +200,4 @@ bool ShownCells::shows_outside(const Box& frame, const glm::dvec2& a, const glm:
   return ends && frame.most.x >= width_ * cell ? any_beyond(right_, part) : any_within(part);
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

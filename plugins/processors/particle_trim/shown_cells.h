@@ -3,7 +3,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// Which half texels of an image show, in part or whole: what a polygon must not cover outside of its own frame. Beyond
 /// the image's edges as its sampler goes on there.
@@ -29,4 +29,4 @@ class ShownCells {
   std::vector<bool> left_, right_;  ///< the first and the last cell of each row
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -208,4 +208,4 @@ Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const
   return made;
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// A flat quad that shows an upright rectangle of an image.
 struct SpriteQuad {
@@ -29,4 +29,4 @@ std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw
 Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const std::vector<TrimmedSprite>& sprites,
                    const Texture& texture, const AlphaImage& image, const ParticleTrimOptions& options);
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 namespace {
 
@@ -71,7 +71,7 @@ bool StoredPolygon::holds(const Point& point) const {
 double StoredPolygon::area() const {
   std::int64_t doubled = 0;
   for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-    doubled += trim::cross(corners_[i] - corners_[0], corners_[i + 1] - corners_[0]);
+    doubled += processors::particle_trim::cross(corners_[i] - corners_[0], corners_[i + 1] - corners_[0]);
   }
   const double part = 1.0 / static_cast<double>(grid_.parts());
   return 0.5 * static_cast<double>(doubled) * part * static_cast<double>(width_) * part * static_cast<double>(height_);
@@ -91,4 +91,4 @@ std::vector<glm::dvec2> StoredPolygon::places() const {
   return made;
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// A convex polygon whose corners are texture coordinates that a format can hold.
 class StoredPolygon {
@@ -37,4 +37,4 @@ class StoredPolygon {
   UvGrid grid_;
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

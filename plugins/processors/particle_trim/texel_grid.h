@@ -4,7 +4,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// In 1/256 texel from an image's upper left corner, x to the right and y down.
 struct Point {
@@ -26,4 +26,4 @@ struct Box {
   double area() const { return static_cast<double>(most.x - least.x) * static_cast<double>(most.y - least.y); }
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

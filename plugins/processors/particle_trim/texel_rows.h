@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// The first and the last texel of a row that show.
 struct Extent {
@@ -73,4 +73,4 @@ class TexelRow {
   Wrap wrap_;
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 std::int64_t UvGrid::parts() const {
   switch (format_) {
@@ -28,4 +28,4 @@ double UvGrid::error(double size) const {
   return step / static_cast<double>(parts());
 }
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

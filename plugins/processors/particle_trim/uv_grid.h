@@ -3,7 +3,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 /// The texture coordinates that a format can hold, as whole numbers of parts() of an image's side. Of floats those are
 /// taken that are multiples of what numbers near 1 are multiples of, so that everything can be computed exactly.
@@ -25,4 +25,4 @@ class UvGrid {
   UvFormat format_;
 };
 
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

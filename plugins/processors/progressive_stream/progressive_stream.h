@@ -5,8 +5,8 @@
 
 #include "vertex_numbers.h"
 
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/joined_mesh.h>
-#include <foredraw/scene/collapse_sequence.h>
 
 #include <atomic>
 #include <cstddef>

@@ -23,9 +23,9 @@ struct Answer {
   std::string why_not;
 };
 
-class StreamsOfMeshes final : public Processor {
+class ProgressiveStreamProcessor final : public Processor {
  public:
-  explicit StreamsOfMeshes(StageOptions options) : options_(options) {}
+  explicit ProgressiveStreamProcessor(StageOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawsCollapse> meshes = sequences_of(scene, draws);
@@ -105,7 +105,8 @@ Plugin progressive_stream_plugin() {
            {1.05, 16})
       .row(&StageOptions::keep_sequences, "keep-sequences",
            "Keep the sequences of collapses for a later stage, and in the file; otherwise they are used up");
-  bind_options(plugin, table, [](const StageOptions& options) { return std::make_unique<StreamsOfMeshes>(options); });
+  bind_options(plugin, table,
+               [](const StageOptions& options) { return std::make_unique<ProgressiveStreamProcessor>(options); });
   return plugin;
 }
 

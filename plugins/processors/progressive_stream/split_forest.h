@@ -1,8 +1,8 @@
 #pragma once
 // Which split makes which point, what it adds, and what must be there before.
 
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/joined_mesh.h>
-#include <foredraw/scene/collapse_sequence.h>
 
 #include <span>
 #include <vector>

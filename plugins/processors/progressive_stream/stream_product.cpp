@@ -76,11 +76,8 @@ class StreamRow final : public ProductRow {
                        " is left out: its triangles or vertices were changed");
       }
     }
-    if (left.meshes.empty()) {
-      leave_out(after);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.meshes.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

@@ -21,9 +21,9 @@ struct PruneOptions {
   bool names = true;
 };
 
-class Prune final : public Processor {
+class PruneProcessor final : public Processor {
  public:
-  explicit Prune(PruneOptions options) : options_(options) {}
+  explicit PruneProcessor(PruneOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawId> changed = prune_vertices(scene, draws, run);
@@ -129,7 +129,7 @@ Plugin prune_plugin() {
   table.row(&PruneOptions::names, "names",
             "Whether equal materials of different names stay, and nodes with a name that show and move nothing, as "
             "engines may look for them");
-  bind_options(plugin, table, [](const PruneOptions& options) { return std::make_unique<Prune>(options); });
+  bind_options(plugin, table, [](const PruneOptions& options) { return std::make_unique<PruneProcessor>(options); });
   return plugin;
 }
 

@@ -6,7 +6,7 @@
 #include <bitset>
 #include <utility>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 void AttributeCosts::measure(std::uint32_t f) {
   if (empty()) return;
@@ -167,4 +167,4 @@ Quadric AttributeCosts::around(std::uint32_t p, std::uint32_t q, std::span<const
   return from_p;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

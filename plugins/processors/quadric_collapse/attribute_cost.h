@@ -8,10 +8,10 @@
 #include "collapsing_mesh.h"
 
 #include <foredraw/collapses/attribute_rows.h>
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/wedge_shares.h>
-#include <foredraw/scene/collapse_sequence.h>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// Which vertex of the kept point each vertex of the removed one becomes.
 struct JoinedVertices {
@@ -91,4 +91,4 @@ class AttributeCosts {
   std::vector<glm::dvec3> sums_by_number_;  ///< [vertex * width + i]: of each attribute's slopes
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// As AttributeWalk and level_vertices() say it.
 void AttributeCosts::solve(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend,
@@ -84,4 +84,4 @@ void AttributeCosts::blend_numbers(const VertexPair& pair, std::size_t first, st
   for (std::size_t i = first; i < end; ++i) to[i] += (from[i] - to[i]) * blend;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 double AttributeCosts::turned(std::uint32_t one, std::uint32_t other) const {
   if (rows_.directions.empty()) return 1;
@@ -78,4 +78,4 @@ double AttributeCosts::jumps(std::uint32_t removed, std::uint32_t kept, glm::vec
   return std::max(sum, 0.0);
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -211,4 +211,4 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   enter_neighbours(kept);
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// What collapsers work on together.
 struct Collapsing {
@@ -122,4 +122,4 @@ class Collapser {
   std::size_t points_ = 0, faces_ = 0;  // that are left
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -3,11 +3,12 @@
 #include "mesh_pieces.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -40,7 +41,7 @@ CollapsingMesh::CollapsingMesh(std::span<const glm::vec3> positions, std::span<c
     for (; p < first_[i + 1]; ++p) {
       const std::uint32_t was = pieces.points[p];
       const glm::vec3& at = points_[p].place = places[was];
-      points_[p].is_fixed = !(std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z));
+      points_[p].is_fixed = !is_finite(at);
       names_[p] = names[was];
       pieces_[p] = i;
       point_of[names[was]] = p;
@@ -184,4 +185,4 @@ void MeshEditor::mark_neighbours(std::uint32_t p) {
   }
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

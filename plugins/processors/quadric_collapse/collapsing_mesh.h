@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 struct Face {
   std::array<std::uint32_t, 3> point{};
@@ -173,4 +173,4 @@ std::size_t MeshEditor::collapse(std::uint32_t removed, std::uint32_t kept, glm:
   return gone;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

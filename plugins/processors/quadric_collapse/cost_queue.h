@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 struct EdgeEntry {
   double cost = 0;     ///< where it is least
@@ -99,4 +99,4 @@ class CostQueue {
   std::size_t lowest_ = ranks;
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

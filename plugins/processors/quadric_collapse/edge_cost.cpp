@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// Calls see(number of the face, neighbour, weight) for each face of each sharp edge at p.
 template <class See>
@@ -166,7 +166,7 @@ EdgeCost EdgeCosts::least(const Around& a, std::uint32_t p, std::uint32_t q) {
     const double at_q = sum.at(there);
     return sum.constant <= at_q ? EdgeCost{sum.constant, mesh_.point(p).place} : EdgeCost{at_q, mesh_.point(q).place};
   }
-  const glm::vec3 place(from + collapsing::least(sum, volume, there * 0.5));
+  const glm::vec3 place(from + processors::quadric_collapse::least(sum, volume, there * 0.5));
   return {sum.at(glm::dvec3(place) - from), place};
 }
 
@@ -218,4 +218,4 @@ Quadric EdgeCosts::joined_memory(std::uint32_t p, std::uint32_t q, glm::vec3 pla
   return sum;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

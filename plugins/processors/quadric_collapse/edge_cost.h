@@ -10,7 +10,7 @@
 
 #include <array>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 struct CostWeights {
   double memory = 0.1;
@@ -65,4 +65,4 @@ class EdgeCosts {
   std::array<std::uint32_t, SmoothEdges::most> which_;  ///< neighbours that are in it
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

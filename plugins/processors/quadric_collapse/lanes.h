@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace foredraw::collapsing::HWY_NAMESPACE {
+namespace foredraw::processors::quadric_collapse::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t most_lanes = 8;
@@ -42,7 +42,7 @@ HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
           hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-}  // namespace foredraw::collapsing::HWY_NAMESPACE
+}  // namespace foredraw::processors::quadric_collapse::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

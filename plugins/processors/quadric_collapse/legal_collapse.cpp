@@ -1,10 +1,11 @@
 #include "legal_collapse.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 bool LegalCollapses::has_face(std::uint32_t p, std::uint32_t a, std::uint32_t b) const {
   return std::ranges::any_of(mesh_.ring(p),
@@ -106,8 +107,7 @@ std::uint32_t LegalCollapses::nearest(std::uint32_t vertex, std::uint32_t kept, 
 }
 
 bool LegalCollapses::keeps_sides(std::uint32_t p, std::uint32_t q, glm::vec3 place) const {
-  const bool is_finite = std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
-  return is_finite && keeps_sides_around(p, q, glm::dvec3(place)) && keeps_sides_around(q, p, glm::dvec3(place));
+  return is_finite(place) && keeps_sides_around(p, q, glm::dvec3(place)) && keeps_sides_around(q, p, glm::dvec3(place));
 }
 
 bool LegalCollapses::keeps_sides_around(std::uint32_t p, std::uint32_t q, const glm::dvec3& place) const {
@@ -129,4 +129,4 @@ bool LegalCollapses::keeps_sides_around(std::uint32_t p, std::uint32_t q, const 
   return true;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

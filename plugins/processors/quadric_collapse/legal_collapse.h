@@ -4,7 +4,7 @@
 
 #include "attribute_cost.h"
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 class LegalCollapses {
  public:
@@ -35,4 +35,4 @@ class LegalCollapses {
   std::vector<VertexPair> kinds_;      ///< which kind becomes which
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -11,7 +11,7 @@
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
-namespace foredraw::collapsing::HWY_NAMESPACE {
+namespace foredraw::processors::quadric_collapse::HWY_NAMESPACE {
 
 HWY_INLINE Vector everywhere(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
 HWY_INLINE Vector loaded(const std::array<LocalDistance::Row, 3>& rows, std::size_t at) {
@@ -62,11 +62,11 @@ HWY_ATTR double farthest(const LocalDistance::Rows& rows, const glm::dvec3& p, c
                    least(rows, rows.staying, q, &place)});
 }
 
-}  // namespace foredraw::collapsing::HWY_NAMESPACE
+}  // namespace foredraw::processors::quadric_collapse::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 HWY_EXPORT(farthest);
 
@@ -97,5 +97,5 @@ double LocalDistance::squared(const CollapsingMesh& mesh, std::uint32_t p, std::
                                         glm::dvec3(place));
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse
 #endif

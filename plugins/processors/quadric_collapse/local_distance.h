@@ -3,7 +3,7 @@
 
 #include "collapsing_mesh.h"
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// The squared distance, at most, of the place from the faces around both points, and of either point from the faces
 /// that will be. Of at most most_faces around them. The same on every processor.
@@ -27,4 +27,4 @@ class LocalDistance {
   alignas(64) Rows rows_;
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -63,4 +63,4 @@ MeshPieces mesh_pieces(std::span<const glm::vec3> points, std::size_t most) {
   return pieces;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// Points by pieces. The pieces are the leaves of a balanced tree: two neighbours (0 and 1, 2 and 3 ...) are halves of
 /// one thing.
@@ -20,4 +20,4 @@ struct MeshPieces {
 /// pieces these are depends on the points alone.
 MeshPieces mesh_pieces(std::span<const glm::vec3> points, std::size_t most);
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -13,7 +13,7 @@ Symmetric pulled_back(const Symmetric& m, const glm::dmat3& map) {
   return {dot(map[0], x), dot(map[0], y), dot(map[0], z), dot(map[1], y), dot(map[1], z), dot(map[2], z)};
 }
 
-bool is_finite(const Symmetric& m) { return std::isfinite(m.xx + m.xy + m.xz + m.yy + m.yz + m.zz); }
+bool has_finite_sum(const Symmetric& m) { return std::isfinite(m.xx + m.xy + m.xz + m.yy + m.yz + m.zz); }
 
 }  // namespace
 
@@ -80,7 +80,7 @@ void PosedPlanes::add_around(std::uint32_t p, std::uint32_t q, std::span<const s
     sum_p.add(pulled_back(around_p, map));
     sum_q.add(pulled_back(around_q, map));
   }
-  if (!is_finite(sum_p) || !is_finite(sum_q)) return;
+  if (!has_finite_sum(sum_p) || !has_finite_sum(sum_q)) return;
   of_p.add(sum_p);
   of_q.add(sum_q);
 }
@@ -98,4 +98,4 @@ void PosedPlanes::join(std::uint32_t removed, std::uint32_t kept, float blend, g
   }
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

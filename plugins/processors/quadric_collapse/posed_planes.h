@@ -10,7 +10,7 @@
 
 #include <glm/mat3x3.hpp>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 class PosedPlanes {
  public:
@@ -45,4 +45,4 @@ class PosedPlanes {
   std::vector<std::uint32_t> changes_;  ///< [point] of its faces, when they were added up
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -12,7 +12,7 @@ namespace foredraw {
 
 namespace {
 
-using namespace collapsing;
+using namespace processors::quadric_collapse;
 
 constexpr std::size_t piece_points = 4096;   // at most: what belongs to them nearly fits a second-level cache
 constexpr std::size_t fewest_points = 1024;  // of fewer a piece, too many lie at its rim

@@ -5,8 +5,8 @@
 
 #include <foredraw/base/parallel.h>
 #include <foredraw/collapses/attribute_rows.h>
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/posed_vertices.h>
-#include <foredraw/scene/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

@@ -11,30 +11,18 @@ struct Options : QuadricCollapseOptions, AttributeWeights {
   double until = CollapseProcessorOptions{}.until;
 };
 
-class QuadricCollapse final : public Simplifier {
- public:
-  QuadricCollapse(const QuadricCollapseOptions& options, const AttributeWeights& attributes)
-      : options_(options), attributes_(attributes) {}
+constexpr std::size_t most_poses = 4;  // more make hardly a difference
+constexpr double beside_poses = 0.25;  // what joints and targets do is seen there; this is for other poses
 
-  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
-    QuadricCollapseOptions options = options_;
-    options.least = least;
-    options.cancel = run.cancel;
-    options.executor = &run.executor;
-    const JoinedMesh& mesh = of.mesh;
-    const PosedVertices posed = options.poses > 0 ? mesh_in_poses(of, run.poses, most_poses) : PosedVertices{};
-    AttributeWeights weights = attributes_;
-    if (posed.poses() > 0) weights.joints *= beside_poses, weights.targets *= beside_poses;
-    return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, weights), mesh.part, posed);
-  }
-
- private:
-  static constexpr std::size_t most_poses = 4;  // more make hardly a difference
-  static constexpr double beside_poses = 0.25;  // what joints and targets do is seen there; this is for other poses
-
-  QuadricCollapseOptions options_;
-  AttributeWeights attributes_;
-};
+CollapseSequence collapses(Options options, const MeshInScene& of, std::size_t least, Run& run) {
+  options.least = least;
+  options.cancel = run.cancel;
+  options.executor = &run.executor;
+  const JoinedMesh& mesh = of.mesh;
+  const PosedVertices posed = options.poses > 0 ? mesh_in_poses(of, run.poses, most_poses) : PosedVertices{};
+  if (posed.poses() > 0) options.joints *= beside_poses, options.targets *= beside_poses;
+  return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, options), mesh.part, posed);
+}
 
 }  // namespace
 
@@ -82,7 +70,10 @@ Plugin quadric_collapse_plugin() {
       .row(&Options::targets, "targets", "Weight of how far morph targets move vertices, beside distances",
            {.least = 0, .most = 1000});
   bind_options(plugin, table, [](const Options& options) -> Technique {
-    return collapse_processor(std::make_unique<const QuadricCollapse>(options, options), {.until = options.until});
+    const auto find = [options](const MeshInScene& of, std::size_t least, Run& run) {
+      return collapses(options, of, least, run);
+    };
+    return collapse_processor(find, {.until = options.until});
   });
   return plugin;
 }

@@ -8,7 +8,7 @@
 #include "lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace foredraw::collapsing::HWY_NAMESPACE {
+namespace foredraw::processors::quadric_collapse::HWY_NAMESPACE {
 
 static_assert(SmoothEdges::most == most_lanes);
 
@@ -96,11 +96,11 @@ HWY_ATTR void solve_edges(const SmoothEdges::Rows& rows, std::size_t count, Smoo
   for (std::size_t at = 0; at < count; at += hn::Lanes(Doubles())) solve(rows, at, answers);
 }
 
-}  // namespace foredraw::collapsing::HWY_NAMESPACE
+}  // namespace foredraw::processors::quadric_collapse::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 HWY_EXPORT(solve_edges);
 
@@ -151,5 +151,5 @@ std::span<const EdgeCost> SmoothEdges::costs() {
   return {costs_.data(), size_};
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse
 #endif

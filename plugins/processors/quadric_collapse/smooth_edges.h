@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 /// The cost of joining two points, and the place that is least.
 struct EdgeCost {
@@ -61,4 +61,4 @@ class SmoothEdges {
   std::size_t size_ = 0;
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

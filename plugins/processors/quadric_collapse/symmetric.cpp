@@ -1,6 +1,6 @@
 #include "symmetric.h"
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -28,4 +28,4 @@ glm::dvec3 least(const Quadric& quadric, const Constraint& constraint, const glm
   return free - towards * ((dot(constraint.normal, free) - constraint.offset) / slope);
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 struct Symmetric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -77,4 +77,4 @@ inline constexpr double preference = 1e-6;
 /// a flat piece, is decided by `preferred`.
 glm::dvec3 least(const Quadric& quadric, const Constraint& constraint, const glm::dvec3& preferred);
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -1,33 +1,27 @@
 #include "whole_parts.h"
 
+#include <foredraw/geometry/joined_sets.h>
+
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t p) {
-  while (parent[p] != p) p = parent[p] = parent[parent[p]];
-  return p;
-}
-
 /// [point] = the least point of its piece.
 std::vector<std::uint32_t> roots_of(const CollapsingMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.point_count());
-  std::iota(parent.begin(), parent.end(), 0u);
+  JoinedSets pieces(mesh.point_count());
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     const Face& face = mesh.face(f);
-    for (const int k : {1, 2}) {
-      const std::uint32_t a = root_of(parent, face.point[0]), b = root_of(parent, face.point[k]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (const int k : {1, 2}) pieces.join(face.point[0], face.point[k]);
   }
-  for (std::uint32_t p = 0; p < parent.size(); ++p) parent[p] = root_of(parent, p);
-  return parent;
+  std::vector<std::uint32_t> roots(mesh.point_count());
+  for (std::uint32_t p = 0; p < roots.size(); ++p) roots[p] = pieces.of(p);
+  return roots;
 }
 
 /// Points by their roots, those of one root as they come.
@@ -119,4 +113,4 @@ std::optional<WholeParts::Step> WholeParts::next(std::size_t part, std::vector<V
   return Step{removed, kept};
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

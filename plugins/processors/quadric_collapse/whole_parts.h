@@ -4,11 +4,11 @@
 
 #include "collapsing_mesh.h"
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <optional>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 class WholeParts {
  public:
@@ -42,4 +42,4 @@ class WholeParts {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

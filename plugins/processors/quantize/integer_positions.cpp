@@ -2,7 +2,7 @@
 
 #include "quantize.h"
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/scene/skin_weights.h>
 
 #include <glm/common.hpp>

@@ -2,7 +2,9 @@
 
 #include "lattices.h"
 
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/box.h>
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/scaled_texcoords.h>
 
 #include <glm/common.hpp>
@@ -27,18 +29,14 @@ std::span<const glm::vec2> coordinates_of(const VertexStream& stream) {
   return {reinterpret_cast<const glm::vec2*>(stream.bytes.view().data()), stream.count()};
 }
 
-struct UvBox {
-  glm::dvec2 least{std::numeric_limits<double>::infinity()};
-  glm::dvec2 most{-std::numeric_limits<double>::infinity()};
-};
+using UvBox = Box<glm::dvec2>;
 
 /// Nothing where one is not finite.
 std::optional<UvBox> box_of(std::span<const glm::vec2> coordinates) {
   UvBox box;
   for (const glm::vec2& uv : coordinates) {
-    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return std::nullopt;
-    box.least = glm::min(box.least, glm::dvec2(uv));
-    box.most = glm::max(box.most, glm::dvec2(uv));
+    if (!is_finite(uv)) return std::nullopt;
+    box.add(glm::dvec2(uv));
   }
   return box;
 }
@@ -55,7 +53,7 @@ const VertexStream* fit_stream(const VertexStreams& vertices, const std::string&
 }
 
 std::optional<TexcoordGrid> grid_of(std::uint32_t set, const UvBox& box, double step) {
-  const glm::dvec2 first = glm::round(box.least / step), last = glm::round(box.most / step);
+  const glm::dvec2 first = glm::round(box.min / step), last = glm::round(box.max / step);
   const double farthest = std::max({std::abs(first.x), std::abs(first.y), std::abs(last.x), std::abs(last.y)});
   const double steps = std::max(last.x - first.x, last.y - first.y);
   constexpr double most_of_step = 1 << step_bits;
@@ -86,13 +84,11 @@ class Joining {
       const std::uint32_t whole = joined_.of(one);
       if (stays_[one]) stay[whole] = true;
       if (one >= groups_.size() || !boxes_[one]) continue;
-      boxes[whole].least = glm::min(boxes[whole].least, boxes_[one]->least);
-      boxes[whole].most = glm::max(boxes[whole].most, boxes_[one]->most);
+      boxes[whole].add(*boxes_[one]);
     }
     for (std::uint32_t one = 0; one < stays_.size(); ++one) {
       const std::uint32_t whole = joined_.of(one);
-      const bool is_empty = !(boxes[whole].least.x <= boxes[whole].most.x);
-      if (stay[whole] || is_empty) continue;
+      if (stay[whole] || boxes[whole].is_empty()) continue;
       const auto grid = grid_of(set_, boxes[whole], step);
       if (!grid) continue;
       auto& list = one < groups_.size() ? planned.of_groups[one] : planned.of_materials[one - groups_.size()];

@@ -1,7 +1,7 @@
 #include "lattices.h"
 
 #include <foredraw/analysis/diagonal.h>
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/common.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "touching_draws.h"
 
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/scene/vertex_groups.h>
 

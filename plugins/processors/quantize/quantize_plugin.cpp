@@ -42,9 +42,9 @@ double half_cell(int bits, double dimensions) { return std::sqrt(dimensions) / 2
 /// How far the middle between points of an octahedron of so many bits is from them, in degrees.
 double between_directions(int bits) { return .86 * 127 / ((1 << (bits - 1)) - 1); }
 
-class QuantizeVertices final : public Processor {
+class QuantizeProcessor final : public Processor {
  public:
-  explicit QuantizeVertices(QuantizeOptions options) : options_(options) {}
+  explicit QuantizeProcessor(QuantizeOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<VertexGroup> groups = vertex_groups(scene);
@@ -256,7 +256,7 @@ Plugin quantize_plugin() {
            "false: "
            "they stay floats");
   bind_options(plugin, table,
-               [](const QuantizeOptions& options) { return std::make_unique<QuantizeVertices>(options); });
+               [](const QuantizeOptions& options) { return std::make_unique<QuantizeProcessor>(options); });
   return plugin;
 }
 

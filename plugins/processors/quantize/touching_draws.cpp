@@ -1,6 +1,7 @@
 #include "touching_draws.h"
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/geometry/box.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
@@ -27,28 +28,23 @@ bool is_fixed(const Scene& scene, const Node& node, DrawId draw) {
   return !node.skin && node.instances.empty() && scene.draws[draw].full().vertices->morph_targets.empty();
 }
 
-struct Box {
-  glm::dvec3 least{std::numeric_limits<double>::infinity()};
-  glm::dvec3 most{-std::numeric_limits<double>::infinity()};
+using WorldBox = Box<glm::dvec3>;
 
-  void add(const glm::dvec3& point) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-  bool is_empty() const { return !(least.x <= most.x); }
-  bool holds(const glm::dvec3& p) const {
-    return p.x >= least.x && p.y >= least.y && p.z >= least.z && p.x <= most.x && p.y <= most.y && p.z <= most.z;
-  }
-  Box grown(double by) const { return {least - by, most + by}; }
-  Box shared_with(const Box& other) const { return {glm::max(least, other.least), glm::min(most, other.most)}; }
-};
+WorldBox grown(const WorldBox& box, double by) { return {box.min - by, box.max + by}; }
+
+WorldBox shared_box(const WorldBox& a, const WorldBox& b) { return {glm::max(a.min, b.min), glm::min(a.max, b.max)}; }
+
+bool is_in(const WorldBox& box, const glm::dvec3& p) {
+  return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
+         p.z <= box.max.z;
+}
 
 /// A draw as a node places it, and where it may meet others: the box of what its box shares with theirs.
 struct Placed {
   DrawId draw = 0;
   NodeId node = 0;
   std::shared_ptr<const Positions> positions;
-  Box box, shared;
+  WorldBox box, shared;
 };
 
 std::vector<Placed> placed_draws(const Scene& scene, const std::vector<DrawId>& draws,
@@ -71,15 +67,15 @@ std::vector<Placed> placed_draws(const Scene& scene, const std::vector<DrawId>& 
 
 /// Boxes that are nearer than `near` to each other, found in the sequence of their left sides.
 void find_shared(std::vector<Placed>& placed, double near) {
-  std::ranges::stable_sort(placed, {}, [](const Placed& one) { return one.box.least.x; });
+  std::ranges::stable_sort(placed, {}, [](const Placed& one) { return one.box.min.x; });
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Box grown = placed[i].box.grown(near);
-    for (std::size_t j = i + 1; j < placed.size() && placed[j].box.least.x <= grown.most.x; ++j) {
-      const Box shared = grown.shared_with(placed[j].box.grown(near));
-      if (!(shared.least.y <= shared.most.y && shared.least.z <= shared.most.z)) continue;
+    const WorldBox near_it = grown(placed[i].box, near);
+    for (std::size_t j = i + 1; j < placed.size() && placed[j].box.min.x <= near_it.max.x; ++j) {
+      const WorldBox shared = shared_box(near_it, grown(placed[j].box, near));
+      if (!(shared.min.y <= shared.max.y && shared.min.z <= shared.max.z)) continue;
       for (Placed* one : {&placed[i], &placed[j]}) {
-        one->shared.add(shared.least);
-        one->shared.add(shared.most);
+        one->shared.add(shared.min);
+        one->shared.add(shared.max);
       }
     }
   }
@@ -120,12 +116,9 @@ void leave_out_lonely(std::vector<MetCell>& cells) {
 std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses) {
   const std::vector<glm::mat4> worlds = world_transforms(scene);
   std::vector<Placed> placed = placed_draws(scene, draws, worlds, analyses);
-  Box all;
-  for (const Placed& one : placed) {
-    all.add(one.box.least);
-    all.add(one.box.most);
-  }
-  const glm::dvec3 extent = all.most - all.least;
+  WorldBox all;
+  for (const Placed& one : placed) all.add(one.box);
+  const glm::dvec3 extent = all.extent();
   const double near = std::max(extent.x, std::max(extent.y, extent.z)) * 1e-6;
   if (placed.size() < 2 || !(near > 0)) return {};
   find_shared(placed, near);
@@ -133,8 +126,8 @@ std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& 
   for (const Placed& one : placed) {
     for (std::uint32_t v = 0; v < one.positions->values.size() && !one.shared.is_empty(); ++v) {
       const glm::dvec3 at = in_world(worlds[one.node], one.positions->values[v]);
-      if (!one.shared.holds(at)) continue;
-      const glm::dvec3 number = (at - all.least) / near;
+      if (!is_in(one.shared, at)) continue;
+      const glm::dvec3 number = (at - all.min) / near;
       cells.push_back(
           {{std::llround(number.x), std::llround(number.y), std::llround(number.z)}, {one.draw, one.node, v}});
     }

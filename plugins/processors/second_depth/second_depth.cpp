@@ -1,11 +1,9 @@
 #include "second_depth.h"
 
 #include <foredraw/analysis/analyses.h>
-#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/triangle_area.h>
 #include <foredraw/scene/skin_weights.h>
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +61,7 @@ struct JoinedVertices {
 };
 
 double area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const double area = glm::length(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a))) / 2;
+  const double area = triangle_area(a, b, c);
   return std::isfinite(area) ? area : 0;
 }
 
@@ -102,7 +100,7 @@ double area_of(const Draw& draw, Analyses& analyses) {
 
 std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> draws,
                                   std::span<const std::uint32_t> triangles, Analyses& analyses,
-                                  const shells::Limits& limits) {
+                                  const processors::second_depth::Limits& limits) {
   const JoinedVertices joined(scene, draws, analyses);
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < draws.size(); ++i) {
@@ -112,7 +110,8 @@ std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> dr
       indices.push_back(first + v);
     }
   }
-  const std::vector<shells::Kind> kinds = shells::kinds_of(joined.positions, joined.points(), indices, limits);
+  const std::vector<processors::second_depth::Kind> kinds =
+      processors::second_depth::kinds_of(joined.positions, joined.points(), indices, limits);
   std::vector<DrawShells> result;
   std::size_t t = 0;
   for (std::size_t i = 0; i < draws.size(); ++i) {

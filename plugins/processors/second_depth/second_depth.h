@@ -19,8 +19,8 @@ struct SecondDepthOptions {
 /// Of a draw that may go, in its order that stands alone.
 struct DrawShells {
   DrawId draw = 0;
-  std::vector<shells::Kind> kinds;  ///< [triangle]
-  std::vector<double> areas;        ///< [triangle] in the draw's units; 0 where it is not finite
+  std::vector<processors::second_depth::Kind> kinds;  ///< [triangle]
+  std::vector<double> areas;                          ///< [triangle] in the draw's units; 0 where it is not finite
 };
 
 /// Why a draw may not go into a pass that draws its back faces alone, as the rest of a sentence that begins with it;
@@ -32,7 +32,7 @@ std::string why_not_in_second_depth(const Scene& scene, DrawId draw, const Secon
 /// skinned draws, joints move them alike: they stay together in every pose.
 std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> draws,
                                   std::span<const std::uint32_t> triangles, Analyses& analyses,
-                                  const shells::Limits& limits = {});
+                                  const processors::second_depth::Limits& limits = {});
 
 /// Of all triangles of the draw, in its units; those that are not finite have none.
 double area_of(const Draw& draw, Analyses& analyses);

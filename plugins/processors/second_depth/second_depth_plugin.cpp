@@ -2,7 +2,7 @@
 #include "second_depth_product.h"
 
 #include <foredraw/scene/reorder.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -14,11 +14,11 @@ namespace foredraw {
 
 namespace {
 
-using ShellKind = shells::Kind;
+using ShellKind = processors::second_depth::Kind;
 
-class ClosedShellsFirst final : public Processor {
+class SecondDepthProcessor final : public Processor {
  public:
-  explicit ClosedShellsFirst(SecondDepthOptions options) : options_(options) {}
+  explicit SecondDepthProcessor(SecondDepthOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     SecondDepth all;
@@ -30,7 +30,7 @@ class ClosedShellsFirst final : public Processor {
         candidates.push_back(id);
         triangles.push_back(first_range(scene, id, run));
       }
-      shells::Limits limits{&run.executor, run.cancel, {}};
+      processors::second_depth::Limits limits{&run.executor, run.cancel, {}};
       if (run.progress) {
         limits.progress = [&, m](double part) {
           run.progress((static_cast<double>(m) + part) / static_cast<double>(scene.meshes.size()));
@@ -145,7 +145,7 @@ Plugin second_depth_plugin() {
   table.row(&SecondDepthOptions::skinned, "skinned",
             "Take shells that follow joints, too: they stay closed, but a pose may fold them through themselves");
   bind_options(plugin, table,
-               [](const SecondDepthOptions& options) { return std::make_unique<ClosedShellsFirst>(options); });
+               [](const SecondDepthOptions& options) { return std::make_unique<SecondDepthProcessor>(options); });
   return plugin;
 }
 

@@ -5,7 +5,7 @@
 #include "second_depth_shader.h"
 
 #include <foredraw/scene/moves.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 
 #include <algorithm>
 
@@ -87,11 +87,8 @@ class SecondDepthRow final : public ProductRow {
                      card().remedy);
     }
     std::ranges::sort(left.draws, {}, &SecondDepth::OfDraw::draw);
-    if (left.draws.empty()) {
-      after.products.erase(SecondDepth::product);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 
@@ -144,8 +141,9 @@ class SecondDepthRow final : public ProductRow {
     }
     Analyses analyses;
     for (const DrawShells& draw : shells_of(scene, draws, triangles, analyses)) {
-      const bool is_closed =
-          std::ranges::all_of(draw.kinds, [](shells::Kind kind) { return kind == shells::Kind::closed; });
+      const bool is_closed = std::ranges::all_of(draw.kinds, [](processors::second_depth::Kind kind) {
+        return kind == processors::second_depth::Kind::closed;
+      });
       if (!is_closed) return "the first triangles of " + scene.draws[draw.draw].name + " are not closed shells";
     }
     return {};

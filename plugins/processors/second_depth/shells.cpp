@@ -1,7 +1,9 @@
 #include "shells.h"
 
 #include <foredraw/analysis/ray_tree.h>
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/joined_sets.h>
+#include <foredraw/geometry/triangle_area.h>
 
 #include <glm/geometric.hpp>
 
@@ -9,7 +11,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace foredraw::shells {
+namespace foredraw::processors::second_depth {
 
 namespace {
 
@@ -18,8 +20,6 @@ struct Side {
   std::uint32_t low, high, triangle;
   std::int32_t way;  ///< 1: from low to high
 };
-
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 std::vector<Side> sides_of(std::span<const std::uint32_t> points, std::span<const std::uint32_t> indices) {
   std::vector<Side> sides;
@@ -89,7 +89,7 @@ Kind kind_by_volume(std::span<const glm::vec3> positions, std::span<const std::u
     const auto corner = [&](std::size_t c) { return glm::dvec3(positions[indices[3 * std::size_t{t} + c]]) - origin; };
     const glm::dvec3 a = corner(0), b = corner(1), c = corner(2);
     volume += glm::dot(a, glm::cross(b, c)) / 6;
-    area += glm::length(glm::cross(b - a, c - a)) / 2;
+    area += triangle_area(a, b, c);
   }
   if (!(std::abs(volume) > flat * area * std::sqrt(area))) return Kind::flat;
   return volume > 0 ? Kind::closed : Kind::inside_out;
@@ -164,4 +164,4 @@ std::vector<Kind> kinds_of(std::span<const glm::vec3> positions, std::span<const
   return kinds;
 }
 
-}  // namespace foredraw::shells
+}  // namespace foredraw::processors::second_depth

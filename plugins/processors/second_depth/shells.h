@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::shells {
+namespace foredraw::processors::second_depth {
 
 enum class Kind : std::uint8_t {
   closed,      ///< and right side out
@@ -40,4 +40,4 @@ struct Limits {
 std::vector<Kind> kinds_of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> points,
                            std::span<const std::uint32_t> indices, const Limits& limits = {});
 
-}  // namespace foredraw::shells
+}  // namespace foredraw::processors::second_depth

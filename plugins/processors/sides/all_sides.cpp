@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 AllSides::AllSides(std::span<const RasterPart> parts) : prepared_(prepared(parts)), fronts_(parts.size()) {
   const auto add = [&](std::size_t part, Side side) {
@@ -49,4 +49,4 @@ SidesOfParts sides_of_parts(const Subject& subject, std::span<const RasterPart> 
   return result;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 /// [part][triangle]
 using SidesOfParts = std::vector<std::vector<Side>>;
@@ -63,4 +63,4 @@ struct NearestSides {
   }
 };
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -29,7 +29,7 @@ void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, Si
   SingleSided made = single_sided(level.stream().indices.view(), level.vertices->count, wanted);
   if (!made.copies.empty()) {
     const auto old = level.vertices;
-    const auto vertices = sides::with_turned_copies(*old, made.copies);
+    const auto vertices = processors::sides::with_turned_copies(*old, made.copies);
     for (Draw& other : scene.draws) {  // who shared the vertices shares them still: all keep their numbers
       for (Level& sharing : other.levels) {
         if (sharing.vertices == old) sharing.vertices = vertices;
@@ -64,4 +64,4 @@ void split(Scene& scene, DrawId id, std::span<const Side> wanted, const std::vec
   make_single_sided(scene, id, wanted_of_rest, materials);
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

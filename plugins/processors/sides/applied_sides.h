@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 /// The single-sided copy of a material, made once.
 class SingleSidedMaterials {
@@ -41,4 +41,4 @@ void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, Si
 void split(Scene& scene, DrawId id, std::span<const Side> wanted, const std::vector<bool>& stays,
            SingleSidedMaterials& materials);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -77,4 +77,4 @@ Needed add_needed_by_pictures(const AllSides& all, SidesOfParts& kept, const Vie
   return sum;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

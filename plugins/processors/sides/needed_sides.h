@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 /// Of 2^24 in the picture's depth: what moves by no more is no other surface. At outlines the backs of closed bodies
 /// win by a few.
@@ -26,4 +26,4 @@ struct Needed {
 /// subject's parts have). A side that holes cut by a mask leave out of a pixel is not in it.
 Needed add_needed_by_pictures(const AllSides& all, SidesOfParts& kept, const Views& views, const Executor& executor);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 Plan cheapest_plan(const Sided& draw, double price, double call_price, bool may_split) {
   double all_gains = 0, lost = 0;
@@ -62,4 +62,4 @@ std::map<DrawId, Plan> plans(const std::map<DrawId, Sided>& draws, const Sizes& 
   return best;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 enum class Choice {
   left,          ///< it stays double-sided
@@ -54,4 +54,4 @@ Plan cheapest_plan(const Sided& draw, double price, double call_price, bool may_
 /// draws together to add no more than they may. So what is copied gains most for its triangles.
 std::map<DrawId, Plan> plans(const std::map<DrawId, Sided>& draws, const Sizes& scene, const ChoiceOptions& options);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -10,7 +10,7 @@
 #include <array>
 #include <atomic>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -122,4 +122,4 @@ SideGains side_gains(const Scene& scene, const std::map<DrawId, std::vector<Side
   return gains;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

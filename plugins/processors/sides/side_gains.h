@@ -13,7 +13,7 @@
 #include <map>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 struct SideGains {
   std::map<DrawId, std::vector<double>> of;  ///< [draw asked for][triangle] fragments
@@ -29,4 +29,4 @@ struct SideGains {
 SideGains side_gains(const Scene& scene, const std::map<DrawId, std::vector<Side>>& wanted, const Views& views,
                      const Poses& poses, SubjectUnit unit, Analyses& analyses, const Executor& executor);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

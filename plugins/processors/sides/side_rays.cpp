@@ -10,7 +10,7 @@
 #include <optional>
 #include <tuple>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -188,4 +188,4 @@ std::vector<Seen> SideRays::beside(std::vector<Seen> seen, SidesOfParts& kept, s
   return added;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 /// A side of a triangle, and whence it is seen.
 struct Seen {
@@ -44,4 +44,4 @@ class SideRays {
   const Executor& executor_;
 };
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -18,7 +18,7 @@
 #include <optional>
 #include <set>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -309,4 +309,4 @@ FoundSides find_sides(const Scene& scene, std::span<const DrawId> asked, const S
   return found;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -12,7 +12,7 @@
 #include <functional>
 #include <map>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 struct SideSearchOptions {
   int rays = 16;     ///< from each side that no picture shows; shared out over the poses, two in each at least
@@ -46,4 +46,4 @@ struct FoundSides {
 FoundSides find_sides(const Scene& scene, std::span<const DrawId> asked, const SideSearchOptions& options,
                       Analyses& analyses, const Executor& executor);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -3,11 +3,11 @@
 namespace foredraw {
 
 SingleSided single_sided(std::span<const std::uint32_t> indices, std::size_t vertex_count,
-                         std::span<const sides::Side> wanted) {
+                         std::span<const processors::sides::Side> wanted) {
   constexpr std::uint32_t not_copied = ~std::uint32_t{0};
   SingleSided result;
   for (std::uint32_t t = 0; t < wanted.size(); ++t) {
-    if (wanted[t] == sides::back) continue;
+    if (wanted[t] == processors::sides::back) continue;
     for (std::size_t c = 0; c < 3; ++c) result.indices.push_back(indices[3 * std::size_t{t} + c]);
     result.triangles.push_back(t);
   }
@@ -20,10 +20,10 @@ SingleSided single_sided(std::span<const std::uint32_t> indices, std::size_t ver
     return copy[vertex];
   };
   for (std::uint32_t t = 0; t < wanted.size(); ++t) {
-    if ((wanted[t] & sides::back) == 0) continue;
+    if ((wanted[t] & processors::sides::back) == 0) continue;
     for (const std::size_t c : {0, 2, 1}) result.indices.push_back(copy_of(indices[3 * std::size_t{t} + c]));
     result.triangles.push_back(t);
-    (wanted[t] == sides::both ? result.added : result.turned) += 1;
+    (wanted[t] == processors::sides::both ? result.added : result.turned) += 1;
   }
   return result;
 }

@@ -8,12 +8,12 @@
 
 namespace foredraw {
 
-namespace sides {
+namespace processors::sides {
 
 /// The sides of a triangle; front faces turn counter-clockwise. Sets of them are sums.
 enum Side : std::uint8_t { neither = 0, front = 1, back = 2, both = 3 };
 
-}  // namespace sides
+}  // namespace processors::sides
 
 /// A mesh to be drawn single-sided.
 struct SingleSided {
@@ -28,7 +28,7 @@ struct SingleSided {
 /// keeps its first corner first, stands behind all others, and has vertices of its own, as its normals point the other
 /// way. O(triangles + vertices).
 SingleSided single_sided(std::span<const std::uint32_t> indices, std::size_t vertex_count,
-                         std::span<const sides::Side> wanted);
+                         std::span<const processors::sides::Side> wanted);
 
 struct Plugin;
 Plugin sides_plugin();

@@ -5,7 +5,7 @@
 #include "sides.h"
 #include "surrounding.h"
 
-#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 #include <foredraw/viewing/draw_mask.h>
 
@@ -19,13 +19,13 @@ namespace foredraw {
 
 namespace {
 
-using sides::Side;
+using processors::sides::Side;
 
 enum class SeenFrom { anywhere, outside };
 
-using sides::Choice, sides::Plan;
+using processors::sides::Choice, processors::sides::Plan;
 
-struct Options : sides::SideSearchOptions, sides::ChoiceOptions {
+struct Options : processors::sides::SideSearchOptions, processors::sides::ChoiceOptions {
   SeenFrom seen_from = SeenFrom::anywhere;
 };
 
@@ -57,8 +57,8 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
 struct Counted {
   explicit Counted(std::span<const Side> wanted)
       : triangles(wanted.size()),
-        both(static_cast<std::size_t>(std::ranges::count(wanted, sides::both))),
-        turned(static_cast<std::size_t>(std::ranges::count(wanted, sides::back))) {}
+        both(static_cast<std::size_t>(std::ranges::count(wanted, processors::sides::both))),
+        turned(static_cast<std::size_t>(std::ranges::count(wanted, processors::sides::back))) {}
 
   std::size_t triangles, both, turned;
 };
@@ -107,9 +107,9 @@ double shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
   return result;
 }
 
-class Sides final : public Processor {
+class SidesProcessor final : public Processor {
  public:
-  explicit Sides(const Options& options) : options_(options) {}
+  explicit SidesProcessor(const Options& options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawId> asked = candidates(scene, draws, run);
@@ -118,20 +118,21 @@ class Sides final : public Processor {
                                           : "no double-sided draw can be changed; the notes say why");
       return draws;
     }
-    sides::SideSearchOptions search = options_;
+    processors::sides::SideSearchOptions search = options_;
     search.views = run.views;
     search.poses = run.poses;
     search.subjects = run.subjects;
     search.seed = run.seed;
     search.cancel = run.cancel;
     if (run.progress) search.progress = [&](double part) { run.progress(0.9 * part); };
-    const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
+    const processors::sides::FoundSides found =
+        processors::sides::find_sides(scene, asked, search, run.analyses, run.executor);
     if (run.cancelled()) return {};
-    sides::SideGains gains =
-        sides::side_gains(scene, found.wanted, run.views, run.poses, run.subjects, run.analyses, run.executor);
+    processors::sides::SideGains gains = processors::sides::side_gains(scene, found.wanted, run.views, run.poses,
+                                                                       run.subjects, run.analyses, run.executor);
     constexpr int rounds = 4;  // what is copied hangs together then, and shares its vertices
     for (auto& [id, of_triangles] : gains.of) {
-      for (int i = 0; i < rounds; ++i) sides::smooth(found.surfaces.at(id), of_triangles);
+      for (int i = 0; i < rounds; ++i) processors::sides::smooth(found.surfaces.at(id), of_triangles);
     }
     const std::map<DrawId, Plan> plans = planned(scene, found, gains);
     const double before = shaded(scene, asked, run);
@@ -162,7 +163,7 @@ class Sides final : public Processor {
       result.push_back(id);
     }
     if (result.empty() || options_.seen_from == SeenFrom::outside) return result;
-    const std::vector<bool> surrounds = sides::surrounding_draws(scene, run.executor);
+    const std::vector<bool> surrounds = processors::sides::surrounding_draws(scene, run.executor);
     std::erase_if(result, [&](DrawId id) {
       if (!surrounds[id]) return false;
       run.note_at({id}, "surrounds",
@@ -173,36 +174,36 @@ class Sides final : public Processor {
     return result;
   }
 
-  std::map<DrawId, Plan> planned(const Scene& scene, const sides::FoundSides& found,
-                                 const sides::SideGains& gains) const {
-    sides::Sizes sizes{.visible = gains.visible};
+  std::map<DrawId, Plan> planned(const Scene& scene, const processors::sides::FoundSides& found,
+                                 const processors::sides::SideGains& gains) const {
+    processors::sides::Sizes sizes{.visible = gains.visible};
     for (const Draw& draw : scene.draws) {
       sizes.triangles += static_cast<double>(draw.full().stream().triangle_count());
       sizes.vertices += vertices_of(draw);
     }
-    std::map<DrawId, sides::Sided> draws;
+    std::map<DrawId, processors::sides::Sided> draws;
     for (const auto& [id, wanted] : found.wanted) {
       draws[id] = {wanted, gains.of.at(id), vertices_of(scene.draws[id])};
     }
-    sides::ChoiceOptions options = options_;
+    processors::sides::ChoiceOptions options = options_;
     options.split &= scene.products.empty();  // two draws have other numbers than one, which no product must mind
-    return sides::plans(draws, sizes, options);
+    return processors::sides::plans(draws, sizes, options);
   }
 
-  static void apply(Scene& scene, const sides::FoundSides& found, const std::map<DrawId, Plan>& plans) {
-    sides::SingleSidedMaterials materials(scene);
+  static void apply(Scene& scene, const processors::sides::FoundSides& found, const std::map<DrawId, Plan>& plans) {
+    processors::sides::SingleSidedMaterials materials(scene);
     for (const auto& [id, plan] : plans) {
       if (plan.choice == Choice::left) continue;
       if (plan.choice == Choice::two_draws) {
-        sides::split(scene, id, found.wanted.at(id), plan.stays, materials);
+        processors::sides::split(scene, id, found.wanted.at(id), plan.stays, materials);
       } else {
-        sides::make_single_sided(scene, id, found.wanted.at(id), materials);
+        processors::sides::make_single_sided(scene, id, found.wanted.at(id), materials);
       }
     }
   }
 
-  static void tell(const Scene& scene, const sides::FoundSides& found, const sides::SideGains& gains,
-                   const std::map<DrawId, Plan>& plans, Run& run) {
+  static void tell(const Scene& scene, const processors::sides::FoundSides& found,
+                   const processors::sides::SideGains& gains, const std::map<DrawId, Plan>& plans, Run& run) {
     double single = 0, two = 0, added = 0, turned = 0, triangles = 0;
     for (const Draw& draw : scene.draws) triangles += static_cast<double>(draw.full().stream().triangle_count());
     for (const auto& [id, plan] : plans) {
@@ -253,20 +254,20 @@ Plugin sides_plugin() {
                "Where cameras may be. anywhere: draws that surround other things, such as a sky dome or a room, stay "
                "double-sided; outside: cameras never stand inside anything",
                {{"anywhere", SeenFrom::anywhere}, {"outside", SeenFrom::outside}});
-  table.row(&sides::ChoiceOptions::most_added, "most-added",
+  table.row(&processors::sides::ChoiceOptions::most_added, "most-added",
             "Most triangles that may be added to the scene as reversed copies, as a share of its triangles",
             {0, 1, ""});
-  table.row(&sides::ChoiceOptions::split, "split",
+  table.row(&processors::sides::ChoiceOptions::split, "split",
             "Split a draw in two, one of them double-sided, where too many triangles would be added");
-  table.row(&sides::ChoiceOptions::vertex_weight, "vertex-weight",
+  table.row(&processors::sides::ChoiceOptions::vertex_weight, "vertex-weight",
             "Where triangles are copied: how many per cent of the fragments one per cent more vertices must save",
             {0, 1000, ""});
-  table.row(&sides::SideSearchOptions::rays, "rays",
+  table.row(&processors::sides::SideSearchOptions::rays, "rays",
             "Rays cast from each side that no picture shows, half of them into an opening; more find smaller gaps and "
             "take longer",
             {0, 65536, "rays"});
   table.row(
-      &sides::SideSearchOptions::checks, "checks",
+      &processors::sides::SideSearchOptions::checks, "checks",
       "Pictures of 256 x 256, from views and in poses not used before, that the last check of the result takes; of "
       "large meshes fewer and larger ones",
       {1, 100000, "pictures"});
@@ -289,7 +290,8 @@ Plugin sides_plugin() {
                   {"contradicted", "per pixel checked",
                    "Pixels of the last check that lacked a side, which was put back"}},
   };
-  bind_options(plugin, std::move(table), [](const Options& options) { return std::make_unique<Sides>(options); });
+  bind_options(plugin, std::move(table),
+               [](const Options& options) { return std::make_unique<SidesProcessor>(options); });
   return plugin;
 }
 

@@ -2,12 +2,13 @@
 
 #include <foredraw/analysis/closed_surfaces.h>
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -129,4 +130,4 @@ void add_rims(const Surface& surface, std::span<Side> sides) {
   });
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 /// A draw's triangles over vertices that are welded by their positions, bit by bit.
 struct Surface {
@@ -60,4 +60,4 @@ void smooth(const Surface& surface, std::span<double> values);
 /// Adds both sides of each triangle that has an edge where the surface ends.
 void add_rims(const Surface& surface, std::span<Side> sides);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

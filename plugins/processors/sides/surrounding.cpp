@@ -11,7 +11,7 @@
 #include <map>
 #include <optional>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::vector<bool> surrounding_draws(const Scene& scene, const Executor& executor
   return result;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::shared_ptr<const VertexStreams> with_turned_copies(const VertexStreams& str
   return result;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 /// The streams with copies of some vertices behind them. Of a copy NORMAL and TANGENT are negated in every component,
 /// the tangent's handedness too, and so are the changes of both in every morph target: the shader gets what it would
@@ -15,4 +15,4 @@ namespace foredraw::sides {
 std::shared_ptr<const VertexStreams> with_turned_copies(const VertexStreams& streams,
                                                         std::span<const std::uint32_t> copies);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

@@ -36,9 +36,9 @@ struct Made {
   double largest = 0;        ///< proved distance, either way
 };
 
-class SimplifyMeshes final : public Processor {
+class SimplifyProcessor final : public Processor {
  public:
-  explicit SimplifyMeshes(SimplifyOptions options) : options_(options) {}
+  explicit SimplifyProcessor(SimplifyOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<DrawsCollapse> meshes = sequences_of(scene, draws);
@@ -145,7 +145,7 @@ Plugin simplify_plugin() {
       const double error = distance_of_pixels(*options.pixels, options.distance);
       limits.error = std::min(error, options.error.value_or(error));
     }
-    return std::make_unique<SimplifyMeshes>(limits);
+    return std::make_unique<SimplifyProcessor>(limits);
   });
   return plugin;
 }

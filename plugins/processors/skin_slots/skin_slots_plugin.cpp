@@ -9,9 +9,9 @@ namespace foredraw {
 
 namespace {
 
-class SkinSlots final : public Processor {
+class SkinSlotsProcessor final : public Processor {
  public:
-  explicit SkinSlots(SkinSlotsOptions options) : options_(options) {}
+  explicit SkinSlotsProcessor(SkinSlotsOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<VertexGroup> groups = vertex_groups(scene);
@@ -65,7 +65,8 @@ Plugin skin_slots_plugin() {
       &SkinSlotsOptions::zero_unused, "zero-unused",
       "Whether slots without weight name joint 0, as glTF advises; else they name the joint of the vertex before, "
       "which takes fewer bytes");
-  bind_options(plugin, table, [](const SkinSlotsOptions& options) { return std::make_unique<SkinSlots>(options); });
+  bind_options(plugin, table,
+               [](const SkinSlotsOptions& options) { return std::make_unique<SkinSlotsProcessor>(options); });
   return plugin;
 }
 

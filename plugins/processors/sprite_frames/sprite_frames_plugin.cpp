@@ -2,7 +2,7 @@
 
 #include "quad_cutting.h"
 
-#include <foredraw/technique/alpha_options.h>
+#include <foredraw/measuring/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -62,9 +62,9 @@ std::vector<DrawId> put_in_place(Scene& scene, DrawId id, std::vector<Draw> cut)
   return ids;
 }
 
-class SpriteFrames final : public Processor {
+class SpriteFramesProcessor final : public Processor {
  public:
-  explicit SpriteFrames(const SpriteFramesOptions& options) : options_(options) {
+  explicit SpriteFramesProcessor(const SpriteFramesOptions& options) : options_(options) {
     if (options.find && (options.columns > 1 || options.rows > 1)) {
       throw std::invalid_argument(
           "find = true finds the frames by itself: leave out columns and rows, or set find = false");
@@ -173,7 +173,7 @@ Plugin sprite_frames_plugin() {
       .metrics = {{"frames", "frames", "Draws that a sheet was cut into", false}},
   };
   bind_options(plugin, std::move(table),
-               [](const SpriteFramesOptions& options) { return std::make_unique<SpriteFrames>(options); });
+               [](const SpriteFramesOptions& options) { return std::make_unique<SpriteFramesProcessor>(options); });
   return plugin;
 }
 

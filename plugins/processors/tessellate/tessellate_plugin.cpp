@@ -2,8 +2,8 @@
 
 #include "divided_draw.h"
 
+#include <foredraw/displaced/displacement_stamp.h>
 #include <foredraw/measuring/level_processor.h>
-#include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/viewing/self_crossings.h>
 
@@ -19,9 +19,9 @@ namespace {
 using CoarserLevels = std::map<DrawId, std::vector<DividedLevel>>;
 
 /// Hands out levels that are there. Draws of a subject that have fewer show their coarsest one again.
-class LevelsThatAreThere final : public LevelMaker {
+class TessellateMaker final : public LevelMaker {
  public:
-  explicit LevelsThatAreThere(CoarserLevels levels) : levels_(std::move(levels)) {}
+  explicit TessellateMaker(CoarserLevels levels) : levels_(std::move(levels)) {}
 
   SubjectLevels levels(const SubjectView& view, Run&) const override {
     std::size_t most = 0;
@@ -40,9 +40,9 @@ class LevelsThatAreThere final : public LevelMaker {
   CoarserLevels levels_;
 };
 
-class Tessellate final : public Processor {
+class TessellateProcessor final : public Processor {
  public:
-  explicit Tessellate(DivisionOptions options) : options_(options) {}
+  explicit TessellateProcessor(DivisionOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<std::variant<DividedDraw, std::string>> made(draws.size());
@@ -104,7 +104,7 @@ class Tessellate final : public Processor {
       run.note("no-coarser-level", "no coarser level: every edge is in one part already");
       return;
     }
-    level_processor(std::make_unique<const LevelsThatAreThere>(std::move(coarser)))->process(scene, changed, run);
+    level_processor(std::make_unique<const TessellateMaker>(std::move(coarser)))->process(scene, changed, run);
     run.findings.nothing_to_gain.reset();  // draws that no node shows get no levels, and are divided all the same
   }
 
@@ -171,7 +171,8 @@ Plugin tessellate_plugin() {
             "Levels of detail that come out: each has half as many parts to an edge as the one before, and an error "
             "that is proved",
             {1, 7});
-  bind_options(plugin, table, [](const DivisionOptions& options) { return std::make_unique<Tessellate>(options); });
+  bind_options(plugin, table,
+               [](const DivisionOptions& options) { return std::make_unique<TessellateProcessor>(options); });
   return plugin;
 }
 

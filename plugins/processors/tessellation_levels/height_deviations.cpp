@@ -4,8 +4,7 @@
 
 #include <foredraw/displaced/displaced_mesh.h>
 #include <foredraw/displaced/height_bits.h>
-
-#include <glm/geometric.hpp>
+#include <foredraw/geometry/triangle_area.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +40,7 @@ WholeLevels equal_levels(std::uint32_t log2) {
 
 double area_of(const HeightPart& part, std::size_t triangle) {
   const auto corner = [&](std::size_t c) { return glm::dvec3(part.positions[part.indices[3 * triangle + c]]); };
-  const double area = glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0))) / 2;
+  const double area = triangle_area(corner(0), corner(1), corner(2));
   return std::isfinite(area) ? area : 0;
 }
 

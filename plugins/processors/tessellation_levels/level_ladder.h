@@ -4,7 +4,7 @@
 
 #include "height_deviations.h"
 
-#include <foredraw/scene/tessellation_levels.h>
+#include <foredraw/displaced/tessellation_levels.h>
 
 #include <cstdint>
 #include <memory>

@@ -68,9 +68,9 @@ DrawTessellation stored(DrawId id, const Draw& draw, const LaidOutMap& map, std:
           Shared(std::move(ranges))};
 }
 
-class MakeTessellationLevels final : public Processor {
+class TessellationLevelsProcessor final : public Processor {
  public:
-  explicit MakeTessellationLevels(Options options) : options_(options) {}
+  explicit TessellationLevelsProcessor(Options options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const auto* before = scene.products.find<StoredTessellations>();
@@ -212,7 +212,8 @@ Plugin tessellation_levels_plugin() {
   table.row(&Options::error, "error",
             "Error of displacements to reach with as few triangles as possible, and never with more than `triangles`",
             {0, 1e30, "units"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<MakeTessellationLevels>(options); });
+  bind_options(plugin, table,
+               [](const Options& options) { return std::make_unique<TessellationLevelsProcessor>(options); });
   return plugin;
 }
 

@@ -124,11 +124,8 @@ class TessellationRow final : public ProductRow {
         told.push_back("the tessellation levels of " + of_whom + " are left out: " + why);
       }
     }
-    if (left.draws.empty()) {
-      leave_out(after);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

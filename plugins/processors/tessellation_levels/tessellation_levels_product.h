@@ -1,8 +1,8 @@
 #pragma once
 // The row of what tessellation-levels makes: how levels are read, written, proved, followed and told.
 
+#include <foredraw/displaced/tessellation_levels.h>
 #include <foredraw/scene/product_row.h>
-#include <foredraw/scene/tessellation_levels.h>
 
 #include <memory>
 #include <string>

@@ -7,31 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 
 namespace foredraw {
 
-namespace {
-
-template <class Row>
-std::optional<Shared<Row>> rows(ExtensionReader& from, const ExtensionValue& of, const char* name,
-                                Component component) {
-  const ExtensionValue* member = of.member(name);
-  const auto number = member == nullptr ? std::nullopt : member->whole();
-  const auto data = number ? from.accessor(*number) : std::nullopt;
-  const auto components = static_cast<std::uint8_t>(sizeof(Row) / bytes_of(component));
-  if (!data || !(data->format == Format{component, components, false, sizeof(Row)})) return std::nullopt;
-  std::vector<Row> values(data->count);
-  std::memcpy(values.data(), data->bytes.view().data(), data->bytes.size());
-  return Shared<Row>(std::move(values));
-}
-
-}  // namespace
-
 std::string read_tessellation(ExtensionReader& from, const ExtensionValue& value, DrawTessellation& to) {
-  const auto levels = rows<LogLevels>(from, value, "levels", Component::uint8);
+  const auto levels = rows_of<LogLevels>(from, value.member("levels"), Component::uint8);
   if (!levels) return "has no accessor 'levels' of four unsigned bytes";
   to.levels = *levels;
   const ExtensionValue* scales = value.member("scales");
@@ -54,9 +36,10 @@ std::string read_tessellation(ExtensionReader& from, const ExtensionValue& value
   }
   const ExtensionValue* ranges = value.member("ranges");
   const auto begins =
-      ranges == nullptr ? std::nullopt : rows<std::uint32_t>(from, *ranges, "begins", Component::uint32);
+      ranges == nullptr ? std::nullopt : rows_of<std::uint32_t>(from, ranges->member("begins"), Component::uint32);
   const auto displacements =
-      ranges == nullptr ? std::nullopt : rows<DisplacementRange>(from, *ranges, "displacements", Component::float32);
+      ranges == nullptr ? std::nullopt
+                        : rows_of<DisplacementRange>(from, ranges->member("displacements"), Component::float32);
   if (!begins || !displacements) return "has no 'ranges' with accessors 'begins' and 'displacements'";
   to.range_begins = *begins;
   to.ranges = *displacements;

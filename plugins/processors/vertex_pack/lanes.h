@@ -13,7 +13,7 @@
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace foredraw::packing::HWY_NAMESPACE {
+namespace foredraw::processors::vertex_pack::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -60,7 +60,7 @@ HWY_INLINE Three octahedral(Whole x, Whole y, Whole half) {
           hn::Mul(hn::ConvertTo(f, z), per_length)};
 }
 
-}  // namespace foredraw::packing::HWY_NAMESPACE
+}  // namespace foredraw::processors::vertex_pack::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,6 +1,6 @@
 #include "layout_search.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -33,11 +33,11 @@ struct Axis {
 };
 
 /// The lattice with steps of 2^exponent; nothing where its coordinates are too large.
-std::optional<std::array<Axis, 3>> lattice(const Box& box, int exponent) {
+std::optional<std::array<Axis, 3>> lattice(const Box<glm::dvec3>& box, int exponent) {
   std::array<Axis, 3> axes;
   for (int i = 0; i < 3; ++i) {
-    const double first = std::nearbyint(std::ldexp(box.least[i], -exponent));
-    const double last = std::nearbyint(std::ldexp(box.most[i], -exponent));
+    const double first = std::nearbyint(std::ldexp(box.min[i], -exponent));
+    const double last = std::nearbyint(std::ldexp(box.max[i], -exponent));
     constexpr auto most = static_cast<double>(most_coordinate);
     if (!(std::abs(first) <= most && std::abs(last) <= most)) return std::nullopt;
     axes[static_cast<std::size_t>(i)] = {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
@@ -170,7 +170,7 @@ std::vector<Candidate> with_uvs(const std::vector<Candidate>& others, const Dema
 }
 
 /// With the box in the middle of what the bits reach.
-void set_origin(PackedLayout& layout, const Box& box, int exponent) {
+void set_origin(PackedLayout& layout, const Box<glm::dvec3>& box, int exponent) {
   const std::array<Axis, 3> axes = lattice(box, exponent).value();
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int64_t reach = foredraw_packed_most(layout.field[FOREDRAW_PACKED_X + i].bits);
@@ -194,18 +194,6 @@ void set_fields(PackedLayout& layout, const Placing& placing, Bits bits) {
 }
 
 }  // namespace
-
-void Box::add(const glm::dvec3& point) {
-  least = glm::min(least, point);
-  most = glm::max(most, point);
-}
-
-void Box::add(const Box& other) {
-  least = glm::min(least, other.least);
-  most = glm::max(most, other.most);
-}
-
-double Box::diagonal() const { return glm::length(extent()); }
 
 std::optional<PackedLayout> best_layout(const Demand& demand) {
   std::vector<Candidate> candidates = with_uvs(with_normals(with_positions(demand), demand), demand);
@@ -237,4 +225,4 @@ bool set_uv_lattice(PackedLayout& layout, const glm::dvec2& least, const glm::dv
   return true;
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -1,7 +1,8 @@
 #pragma once
 // Which layout of 128 bits is the best for vertices of a kind.
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/geometry/box.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -10,25 +11,14 @@
 #include <limits>
 #include <optional>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// No layout that is chosen has more for u or v.
 inline constexpr std::uint32_t most_uv_bits = 20;
 
-/// A box that numbers lie in; empty at first.
-struct Box {
-  glm::dvec3 least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
-
-  void add(const glm::dvec3& point);
-  void add(const Box& other);
-  bool is_empty() const { return !(least.x <= most.x); }
-  glm::dvec3 extent() const { return is_empty() ? glm::dvec3(0) : most - least; }
-  double diagonal() const;
-};
-
 /// What is packed, and what matters of it.
 struct Demand {
-  Box box;  ///< of all positions, finite
+  Box<glm::dvec3> box;  ///< of all positions, finite
   bool normals = false, tangents = false, uvs = false;
   glm::dvec2 uv_extent{0};       ///< the largest one of the draws that share the layout
   double displacement = 0;       ///< A: the largest displacement along the normal, in units of positions
@@ -49,4 +39,4 @@ std::optional<PackedLayout> best_layout(const Demand& demand);
 /// floats can not hold it.
 bool set_uv_lattice(PackedLayout& layout, const glm::dvec2& least, const glm::dvec2& most);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -11,7 +11,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace foredraw::packing::HWY_NAMESPACE {
+namespace foredraw::processors::vertex_pack::HWY_NAMESPACE {
 
 using Mask = hn::Mask<Floats>;
 
@@ -188,17 +188,17 @@ HWY_ATTR std::uint32_t pack(const foredraw_packed_layout& layout, std::size_t co
   return told;
 }
 
-}  // namespace foredraw::packing::HWY_NAMESPACE
+}  // namespace foredraw::processors::vertex_pack::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace foredraw {
 
-namespace packing {
+namespace processors::vertex_pack {
 
 HWY_EXPORT(pack);
 
-}  // namespace packing
+}  // namespace processors::vertex_pack
 
 namespace {
 
@@ -242,10 +242,10 @@ std::uint32_t pack_spherical(const PackedLayout& layout, const PlainVertices& fr
 
 std::uint32_t pack_vertices(const PackedLayout& layout, const PlainVertices& from, std::span<std::uint32_t> rows) {
   if (layout.is_spherical != 0) return pack_spherical(layout, from, rows);
-  return HWY_DYNAMIC_DISPATCH(packing::pack)(layout, rows.size() / 4, given(layout, from.positions, FOREDRAW_PACKED_X),
-                                             given(layout, from.normals, FOREDRAW_PACKED_NORMAL_0),
-                                             given(layout, from.tangents, FOREDRAW_PACKED_TANGENT),
-                                             given(layout, from.uvs, FOREDRAW_PACKED_U), rows.data());
+  return HWY_DYNAMIC_DISPATCH(processors::vertex_pack::pack)(
+      layout, rows.size() / 4, given(layout, from.positions, FOREDRAW_PACKED_X),
+      given(layout, from.normals, FOREDRAW_PACKED_NORMAL_0), given(layout, from.tangents, FOREDRAW_PACKED_TANGENT),
+      given(layout, from.uvs, FOREDRAW_PACKED_U), rows.data());
 }
 
 }  // namespace foredraw

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -40,7 +40,7 @@ struct Content {
   glm::dvec2 uv_extent() const { return uvs ? (most_uv - least_uv) * uv_widths : glm::dvec2(0); }
 };
 
-bool is_finite(const VertexStream& stream, std::size_t count, std::size_t components) {
+bool has_finite_values(const VertexStream& stream, std::size_t count, std::size_t components) {
   for (std::size_t v = 0; v < count; ++v) {
     for (std::size_t c = 0; c < components; ++c) {
       if (!std::isfinite(decode_component(stream, v, c))) return false;
@@ -54,9 +54,9 @@ void add_level(Content& content, const VertexStreams& vertices) {
   const VertexStream* uvs = stream_of(vertices, "TEXCOORD_0", 2);
   if (positions == nullptr) {
     content.why_not = "it has no positions";
-  } else if (!is_finite(*positions, vertices.count, 3)) {
+  } else if (!has_finite_values(*positions, vertices.count, 3)) {
     content.why_not = "it has a position that is not finite";
-  } else if (uvs != nullptr && !is_finite(*uvs, vertices.count, 2)) {
+  } else if (uvs != nullptr && !has_finite_values(*uvs, vertices.count, 2)) {
     content.why_not = "it has a texture coordinate that is not finite";
   }
   if (!content.why_not.empty()) return;
@@ -89,7 +89,7 @@ class Layouts {
 
   /// `scales`: how many units of the box one of the draw's is; 1 where it is not named. Draws that can not be packed
   /// after all are told so in their content.
-  std::map<DrawId, PackedLayout> of(std::vector<DrawId> draws, const Box& box,
+  std::map<DrawId, PackedLayout> of(std::vector<DrawId> draws, const Box<glm::dvec3>& box,
                                     const std::map<DrawId, double>& scales = {}) {
     for (;;) {
       for (const DrawId id : draws) {
@@ -104,7 +104,7 @@ class Layouts {
   }
 
  private:
-  std::map<DrawId, PackedLayout> all(const std::vector<DrawId>& draws, const Box& box,
+  std::map<DrawId, PackedLayout> all(const std::vector<DrawId>& draws, const Box<glm::dvec3>& box,
                                      const std::map<DrawId, double>& scales) {
     std::map<DrawId, PackedLayout> layouts;
     if (draws.empty()) return layouts;
@@ -127,7 +127,8 @@ class Layouts {
     return layouts;
   }
 
-  Demand demand_of(const std::vector<DrawId>& draws, const Box& box, const std::map<DrawId, double>& scales) const {
+  Demand demand_of(const std::vector<DrawId>& draws, const Box<glm::dvec3>& box,
+                   const std::map<DrawId, double>& scales) const {
     std::optional<double> displacement, slope;
     for (const DrawId id : draws) {
       const std::optional<Relief>& relief = contents_[id].relief;
@@ -179,10 +180,10 @@ class Layouts {
   const PackOptions& options_;
 };
 
-Box with_margin(Box box, double margin) {
+Box<glm::dvec3> with_margin(Box<glm::dvec3> box, double margin) {
   const glm::dvec3 around = box.extent() * margin;
-  box.least -= around;
-  box.most += around;
+  box.min -= around;
+  box.max += around;
   return box;
 }
 
@@ -230,14 +231,14 @@ PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, Subjec
   std::vector<PackedDraw> all(scene.draws.size());
   Layouts layouts(contents, options);
   for (const std::vector<DrawId>& group : stored_groups(scene, subjects)) {
-    const Box box = stored_box(scene, group);
+    const Box<glm::dvec3> box = stored_box(scene, group);
     for (const auto& [id, layout] : layouts.of(group, box)) {
       all[id].packed = {.draw = id, .layout = layout};
       all[id].diagonal = box.diagonal();
     }
   }
   const std::vector<std::vector<SubjectPart>> moved = posed_groups(scene, subjects);
-  const std::vector<Box> boxes = posed_boxes(scene, moved, poses, executor);
+  const std::vector<Box<glm::dvec3>> boxes = posed_boxes(scene, moved, poses, executor);
   for (std::size_t g = 0; g < moved.size(); ++g) {
     std::vector<DrawId> group;
     std::map<DrawId, double> scales;
@@ -266,4 +267,4 @@ PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, Subjec
   return result;
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

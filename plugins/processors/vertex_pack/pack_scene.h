@@ -2,8 +2,8 @@
 // All draws of a scene packed: those that are seen together by one lattice.
 
 #include <foredraw/analysis/analyses.h>
-#include <foredraw/analysis/packed_precision.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/subject.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// Of surfaces of which the scene says nothing: of cloth, skin and worn metal.
 inline constexpr double usual_displacement = 0.002, usual_slope = 0.2;
@@ -54,4 +54,4 @@ struct PackedScene {
 PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, SubjectUnit unit, const Poses& poses,
                        const PackOptions& options, Analyses& analyses, const Executor& executor);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

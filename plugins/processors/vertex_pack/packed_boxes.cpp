@@ -1,5 +1,7 @@
 #include "packed_boxes.h"
 
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -9,34 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
-/// Sets that are joined, each known by its smallest member.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), DrawId{0}); }
-
-  DrawId of(DrawId member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(DrawId a, DrawId b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<DrawId> parent_;
-};
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-void add_finite(Box& box, const glm::dvec3& point) {
-  if (is_finite(point)) box.add(point);
+void add_finite(Box<glm::dvec3>& box, const glm::dvec3& point) {
+  if (foredraw::is_finite(point)) box.add(point);
 }
 
 /// Levels that have vertices of their own, as scenes of one level.
@@ -51,9 +32,9 @@ bool repeats_level(const Draw& draw, std::size_t level) {
 }
 
 /// Where morph targets may bring each vertex, with weights from 0 to 1. Empty where there are none.
-std::vector<Box> morphed_places(const VertexStreams& vertices) {
+std::vector<Box<glm::dvec3>> morphed_places(const VertexStreams& vertices) {
   const VertexStream* positions = vertices.find("POSITION");
-  std::vector<Box> places;
+  std::vector<Box<glm::dvec3>> places;
   if (positions == nullptr || vertices.morph_targets.empty()) return places;
   for (const glm::vec3& stored : decode_vec3(*positions)) places.push_back({stored, stored});
   for (const std::vector<VertexStream>& target : vertices.morph_targets) {
@@ -61,8 +42,8 @@ std::vector<Box> morphed_places(const VertexStreams& vertices) {
       if (stream.semantic != "POSITION") continue;
       const std::vector<glm::vec3> offsets = decode_vec3(stream);
       for (std::size_t v = 0; v < std::min(places.size(), offsets.size()); ++v) {
-        places[v].least += glm::min(glm::dvec3(offsets[v]), glm::dvec3(0));
-        places[v].most += glm::max(glm::dvec3(offsets[v]), glm::dvec3(0));
+        places[v].min += glm::min(glm::dvec3(offsets[v]), glm::dvec3(0));
+        places[v].max += glm::max(glm::dvec3(offsets[v]), glm::dvec3(0));
       }
     }
   }
@@ -70,8 +51,8 @@ std::vector<Box> morphed_places(const VertexStreams& vertices) {
 }
 
 /// The box's box behind the map.
-void add_moved(Box& to, const Box& place, const glm::dmat4x3& by) {
-  const glm::dvec3 middle = (place.least + place.most) / 2.0, half = (place.most - place.least) / 2.0;
+void add_moved(Box<glm::dvec3>& to, const Box<glm::dvec3>& place, const glm::dmat4x3& by) {
+  const glm::dvec3 middle = (place.min + place.max) / 2.0, half = (place.max - place.min) / 2.0;
   const glm::dvec3 centre = by * glm::dvec4(middle, 1);
   const glm::dvec3 reach = glm::abs(by[0]) * half.x + glm::abs(by[1]) * half.y + glm::abs(by[2]) * half.z;
   add_finite(to, centre - reach);
@@ -86,7 +67,7 @@ bool is_moved(const Scene& scene, const SubjectPart& part) {
 }  // namespace
 
 std::vector<std::vector<DrawId>> stored_groups(const Scene& scene, std::span<const Subject> subjects) {
-  Sets sets(scene.draws.size());
+  JoinedSets sets(scene.draws.size());
   for (const Mesh& mesh : scene.meshes) {
     for (const DrawId draw : mesh.draws) sets.join(mesh.draws.front(), draw);
   }
@@ -117,7 +98,7 @@ std::vector<std::vector<DrawId>> stored_groups(const Scene& scene, std::span<con
 }
 
 std::vector<std::vector<SubjectPart>> posed_groups(const Scene& scene, std::span<const Subject> subjects) {
-  Sets sets(scene.draws.size());
+  JoinedSets sets(scene.draws.size());
   for (const Subject& subject : subjects) {
     for (const SubjectPart& part : subject.parts) sets.join(subject.parts.front().draw, part.draw);
   }
@@ -134,8 +115,8 @@ std::vector<std::vector<SubjectPart>> posed_groups(const Scene& scene, std::span
   return result;
 }
 
-Box stored_box(const Scene& scene, std::span<const DrawId> draws) {
-  Box box;
+Box<glm::dvec3> stored_box(const Scene& scene, std::span<const DrawId> draws) {
+  Box<glm::dvec3> box;
   for (const DrawId id : draws) {
     const Draw& draw = scene.draws[id];
     for (std::size_t level = 0; level < draw.levels.size(); ++level) {
@@ -147,10 +128,10 @@ Box stored_box(const Scene& scene, std::span<const DrawId> draws) {
   return box;
 }
 
-std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<SubjectPart>> groups, const Poses& poses,
-                             const Executor& executor) {
+std::vector<Box<glm::dvec3>> posed_boxes(const Scene& scene, std::span<const std::vector<SubjectPart>> groups,
+                                         const Poses& poses, const Executor& executor) {
   const std::vector<Scene> levels = levels_of(scene);
-  std::map<const VertexStreams*, std::vector<Box>> places;
+  std::map<const VertexStreams*, std::vector<Box<glm::dvec3>>> places;
   for (const std::vector<SubjectPart>& group : groups) {
     for (const SubjectPart& part : group) {
       for (const Level& level : scene.draws[part.draw].levels) {
@@ -159,17 +140,18 @@ std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<Sub
       }
     }
   }
-  const auto add = [&](Box& box, const SubjectPart& part, const PosedNodes& nodes, const PosedNodes& unmorphed) {
+  const auto add = [&](Box<glm::dvec3>& box, const SubjectPart& part, const PosedNodes& nodes,
+                       const PosedNodes& unmorphed) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
       if (repeats_level(scene.draws[part.draw], level)) continue;
       for (const glm::vec3& position : posed_positions(levels[level], part, nodes)) add_finite(box, position);
-      const std::vector<Box>& morphed = places.at(scene.draws[part.draw].levels[level].vertices.get());
+      const std::vector<Box<glm::dvec3>>& morphed = places.at(scene.draws[part.draw].levels[level].vertices.get());
       if (morphed.empty()) continue;
       const std::vector<glm::dmat4x3> maps = vertex_maps(levels[level], part, unmorphed);
       for (std::size_t v = 0; v < morphed.size(); ++v) add_moved(box, morphed[v], maps[v]);
     }
   };
-  std::vector<std::vector<Box>> in_pose(poses.poses.size(), std::vector<Box>(groups.size()));
+  std::vector<std::vector<Box<glm::dvec3>>> in_pose(poses.poses.size(), std::vector<Box<glm::dvec3>>(groups.size()));
   executor.for_each(in_pose.size(), [&](std::size_t p) {
     const PosedNodes nodes = posed_nodes(scene, poses.poses[p]);
     const PosedNodes unmorphed{nodes.world, std::vector<std::vector<float>>(nodes.weights.size())};
@@ -177,8 +159,8 @@ std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<Sub
       for (const SubjectPart& part : groups[g]) add(in_pose[p][g], part, nodes, unmorphed);
     }
   });
-  std::vector<Box> boxes(groups.size());
-  for (const std::vector<Box>& pose : in_pose) {
+  std::vector<Box<glm::dvec3>> boxes(groups.size());
+  for (const std::vector<Box<glm::dvec3>>& pose : in_pose) {
     for (std::size_t g = 0; g < groups.size(); ++g) boxes[g].add(pose[g]);
   }
   return boxes;
@@ -191,4 +173,4 @@ double rest_scale(const Scene& scene, const SubjectPart& part) {
   return std::sqrt(std::max({glm::dot(map[0], map[0]), glm::dot(map[1], map[1]), glm::dot(map[2], map[2])}));
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

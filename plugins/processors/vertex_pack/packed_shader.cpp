@@ -6,7 +6,7 @@
 #include <bit>
 #include <string_view>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::string packed_shader_text(const PackedLayout& layout, ShaderLanguage langua
   return with_words(LayoutText(layout).text(), words_of(language));
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

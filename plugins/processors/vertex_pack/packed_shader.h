@@ -2,12 +2,12 @@
 // runtime/packed_vertex.h as functions of a shader, with a layout's constants.
 
 #include <foredraw/base/shader_language.h>
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <string>
 #include <vector>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// The different layouts of all draws, stored ones before posed ones, each draw's after those of the draws before.
 std::vector<PackedLayout> distinct_layouts(const PackedVertices& all);
@@ -23,4 +23,4 @@ std::string packed_shader_head(ShaderLanguage language);
 /// multiplications as IEEE 754 does, as Vulkan asks of it.
 std::string packed_shader_text(const PackedLayout& layout, ShaderLanguage language);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -1,6 +1,6 @@
 #include "shader_words.h"
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -178,4 +178,4 @@ uint packed_tangent_code($f3 normal, $f3 tangent, uint bits, inout bool is_none)
 
 std::string packed_shader_head(ShaderLanguage language) { return with_words(head, words_of(language)); }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

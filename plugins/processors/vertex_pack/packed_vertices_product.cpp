@@ -2,7 +2,7 @@
 
 #include "schemas.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/moves.h>
 
@@ -122,11 +122,8 @@ class PackedVerticesRow final : public ProductRow {
                        " are left out: its vertices or levels were replaced; pack them after that stage");
       }
     }
-    if (left.draws.empty()) {
-      leave_out(after);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 

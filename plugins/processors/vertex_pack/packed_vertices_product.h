@@ -1,7 +1,7 @@
 #pragma once
 // The row of what vertex-pack makes: how PackedVertices are read, written, followed, proved and told.
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 #include <foredraw/scene/product_row.h>
 
 #include <string>

@@ -60,7 +60,7 @@ FOREDRAW_PACKED_{capitals}_DATA foredraw_packed_draw {stem}_packed_draws[{count}
 
 std::string packed_vertices_header(const PackedVertices& all, const Scene& scene, const std::string& stem) {
   const std::string name = c_identifier(stem);
-  const std::vector<PackedLayout> distinct = packing::distinct_layouts(all);
+  const std::vector<PackedLayout> distinct = processors::vertex_pack::distinct_layouts(all);
   const auto pointer = [&](const PackedLayout& layout) {
     return fmt::format("{}_packed_layouts + {}", name, number_of(distinct, layout));
   };
@@ -78,7 +78,7 @@ std::string packed_vertices_header(const PackedVertices& all, const Scene& scene
 
 std::string packed_vertices_shader(const PackedVertices& all, const Scene& scene, std::string_view extension) {
   const auto language = extension == ".glsl" ? ShaderLanguage::glsl : ShaderLanguage::hlsl;
-  const std::vector<PackedLayout> distinct = packing::distinct_layouts(all);
+  const std::vector<PackedLayout> distinct = processors::vertex_pack::distinct_layouts(all);
   std::string text =
       "// Made by Foredraw: vertices of 128 bits. Define before including:\n"
       "//   PACKED_LAYOUT  number of the layout; 0 by default. Of the draws, as stored and as posed:\n";
@@ -86,10 +86,11 @@ std::string packed_vertices_shader(const PackedVertices& all, const Scene& scene
     text += fmt::format("//     {}: {}{}\n", in_comment(scene.draws[draw.draw].name), number_of(distinct, draw.layout),
                         draw.posed ? fmt::format(", {}", number_of(distinct, *draw.posed)) : "");
   }
-  text += "#ifndef PACKED_LAYOUT\n#define PACKED_LAYOUT 0\n#endif\n\n" + packing::packed_shader_head(language);
+  text += "#ifndef PACKED_LAYOUT\n#define PACKED_LAYOUT 0\n#endif\n\n" +
+          processors::vertex_pack::packed_shader_head(language);
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     text += fmt::format("\n#if PACKED_LAYOUT == {}\n{}\n#endif  // PACKED_LAYOUT == {}\n", i,
-                        packing::packed_shader_text(distinct[i], language), i);
+                        processors::vertex_pack::packed_shader_text(distinct[i], language), i);
   }
   return text;
 }

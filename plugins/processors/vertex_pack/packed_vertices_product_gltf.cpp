@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace foredraw {
 
@@ -18,16 +17,7 @@ constexpr std::array<std::string_view, FOREDRAW_PACKED_FIELDS> field_names = {
 constexpr std::string_view spare = "spare";
 constexpr std::string_view method_names[] = {"octahedral", "spherical"};
 
-/// What is wrong, as the rest of a sentence; caught where reading began.
-struct Wrong : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-const ExtensionValue& member(const ExtensionValue& of, const char* name) {
-  const ExtensionValue* value = of.member(name);
-  if (value == nullptr) throw Wrong(std::string("has no '") + name + "'");
-  return *value;
-}
+using Wrong = WrongExtension;
 
 const List& list(const ExtensionValue& value, const char* name, std::size_t count) {
   const List* held = value.list();
@@ -46,8 +36,8 @@ std::int32_t integer(const ExtensionValue& value, const char* name, std::int32_t
 }
 
 void add_field(PackedLayout& layout, const ExtensionValue& value, std::uint32_t word, std::uint32_t& used) {
-  const std::string* name = member(value, "field").text();
-  const auto bits = member(value, "bits").whole();
+  const std::string* name = needed_member(value, "field").text();
+  const auto bits = needed_member(value, "bits").whole();
   if (name == nullptr || !bits || *bits < 1 || *bits > 32) throw Wrong("has a field without a name and bits, 1 to 32");
   if (used + *bits > 32) throw Wrong("has a word of more than 32 bits");
   if (*name != spare) {
@@ -62,11 +52,11 @@ void add_field(PackedLayout& layout, const ExtensionValue& value, std::uint32_t 
 
 PackedLayout layout_from(const ExtensionValue& value) {
   PackedLayout layout{};
-  const std::string* method = member(value, "method").text();
+  const std::string* method = needed_member(value, "method").text();
   const auto* known = method == nullptr ? std::end(method_names) : std::ranges::find(method_names, *method);
   if (known == std::end(method_names)) throw Wrong("has no 'method', \"octahedral\" or \"spherical\"");
   layout.is_spherical = known == std::begin(method_names) ? 0 : 1;
-  const List& words = list(member(value, "words"), "words", 4);
+  const List& words = list(needed_member(value, "words"), "words", 4);
   for (std::uint32_t word = 0; word < 4; ++word) {
     const List* fields = words[word].list();
     std::uint32_t used = 0;
@@ -74,12 +64,12 @@ PackedLayout layout_from(const ExtensionValue& value) {
     if (used != 32) throw Wrong("has a word of " + std::to_string(used) + " bits, not 32");
   }
   constexpr std::int32_t most = 1 << 24;
-  const List& origin = list(member(value, "origin"), "origin", 3);
+  const List& origin = list(needed_member(value, "origin"), "origin", 3);
   for (std::size_t i = 0; i < 3; ++i) layout.origin[i] = integer(origin[i], "origin", most);
-  layout.step = std::ldexp(1.0f, integer(member(value, "step"), "step", 100));
+  layout.step = std::ldexp(1.0f, integer(needed_member(value, "step"), "step", 100));
   if (layout.field[FOREDRAW_PACKED_U].bits != 0) {
-    const List& uv_origin = list(member(value, "uvOrigin"), "uvOrigin", 2);
-    const List& uv_step = list(member(value, "uvStep"), "uvStep", 2);
+    const List& uv_origin = list(needed_member(value, "uvOrigin"), "uvOrigin", 2);
+    const List& uv_step = list(needed_member(value, "uvStep"), "uvStep", 2);
     for (std::size_t i = 0; i < 2; ++i) {
       layout.uv_origin[i] = integer(uv_origin[i], "uvOrigin", most);
       const auto step = uv_step[i].number();
@@ -129,9 +119,9 @@ Shared<std::uint32_t> rows_from(const ExtensionValue& value, ExtensionReader& fr
 }
 
 PackedVertices::OfDraw draw_from(const ExtensionValue& value, DrawId id, const Draw& draw, ExtensionReader& from) {
-  PackedVertices::OfDraw packed{.draw = id, .layout = layout_from(member(value, "layout"))};
+  PackedVertices::OfDraw packed{.draw = id, .layout = layout_from(needed_member(value, "layout"))};
   if (const ExtensionValue* posed = value.member("posed")) packed.posed = layout_from(*posed);
-  for (const ExtensionValue& level : list(member(value, "rows"), "rows", draw.levels.size())) {
+  for (const ExtensionValue& level : list(needed_member(value, "rows"), "rows", draw.levels.size())) {
     packed.rows.push_back(rows_from(level, from));
   }
   return packed;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::optional<Relief> relief_of(const Scene& scene, DrawId draw, Analyses& analy
   return relief;
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 struct Relief {
   double displacement = 0;           ///< the largest one along the normal, inwards or outwards, in the draw's units
@@ -17,4 +17,4 @@ struct Relief {
 /// Nothing where the draw's material moves nothing.
 std::optional<Relief> relief_of(const Scene& scene, DrawId draw, Analyses& analyses);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// Words that begin with a dollar are those of the language, or a layout's.
 using Word = std::pair<std::string_view, std::string>;
@@ -38,4 +38,4 @@ inline std::vector<Word> words_of(ShaderLanguage language) {
           {"$u4", "uint4"},  {"$float", "asfloat"}, {"$uint", "asuint"}, {"$round", "round"}};
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -11,7 +11,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace foredraw::packing::HWY_NAMESPACE {
+namespace foredraw::processors::vertex_pack::HWY_NAMESPACE {
 
 /// The rows' words as they are taken apart.
 struct ReadRows {
@@ -109,13 +109,13 @@ HWY_ATTR void unpack(const foredraw_packed_layout& layout, const std::uint32_t* 
   copy(some[3], uvs, 2);
 }
 
-}  // namespace foredraw::packing::HWY_NAMESPACE
+}  // namespace foredraw::processors::vertex_pack::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace foredraw {
 
-namespace packing {
+namespace processors::vertex_pack {
 
 HWY_EXPORT(unpack);
 
@@ -132,16 +132,16 @@ void unpack_spherical(const PackedLayout& layout, std::span<const std::uint32_t>
   }
 }
 
-}  // namespace packing
+}  // namespace processors::vertex_pack
 
 void unpack_vertices(const PackedLayout& layout, std::span<const std::uint32_t> rows, const UnpackedVertices& to) {
-  if (layout.is_spherical != 0) return packing::unpack_spherical(layout, rows, to);
+  if (layout.is_spherical != 0) return processors::vertex_pack::unpack_spherical(layout, rows, to);
   const auto wanted = [&](auto values, int field) -> float* {
     if (layout.field[field].bits != 0) return values.empty() ? nullptr : &values[0][0];
     std::ranges::fill(values, typename decltype(values)::element_type(0));
     return nullptr;
   };
-  HWY_DYNAMIC_DISPATCH(packing::unpack)
+  HWY_DYNAMIC_DISPATCH(processors::vertex_pack::unpack)
   (layout, rows.data(), rows.size() / 4, wanted(to.positions, FOREDRAW_PACKED_X),
    wanted(to.normals, FOREDRAW_PACKED_NORMAL_0), wanted(to.tangents, FOREDRAW_PACKED_TANGENT),
    wanted(to.uvs, FOREDRAW_PACKED_U));

@@ -3,7 +3,7 @@
 //
 // N. Tatarchuk, J. Barczak, B. Purnomo: tessellated crowds, AMD 2008, "vertex compression".
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

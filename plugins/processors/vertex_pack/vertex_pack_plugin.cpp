@@ -3,8 +3,8 @@
 #include "pack_scene.h"
 #include "packed_vertices_product.h"
 
+#include <foredraw/measuring/pose_options.h>
 #include <foredraw/technique/plugin.h>
-#include <foredraw/technique/pose_options.h>
 
 #include <fmt/format.h>
 
@@ -15,22 +15,23 @@ namespace foredraw {
 
 namespace {
 
-struct VertexPackOptions : PoseSet, packing::PackOptions {
+struct VertexPackOptions : PoseSet, processors::vertex_pack::PackOptions {
   VertexPackOptions() { poses = "all"; }
 };
 
-class VertexPack final : public Processor {
+class VertexPackProcessor final : public Processor {
  public:
-  explicit VertexPack(VertexPackOptions options) : options_(std::move(options)) {
+  explicit VertexPackProcessor(VertexPackOptions options) : options_(std::move(options)) {
     if (const auto mistake = mistake_in(options_)) throw std::invalid_argument(*mistake);
   }
 
   /// Rows of other draws, which an earlier stage made, stay.
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const Poses poses = make_poses(scene, options_);
-    packing::PackedScene made =
-        packing::pack_scene(scene, draws, run.subjects, poses, options_, run.analyses, run.executor);
-    for (const packing::NotPacked& left : made.left_out) run.note_at({.draw = left.draw}, "not-packed", left.why);
+    processors::vertex_pack::PackedScene made =
+        processors::vertex_pack::pack_scene(scene, draws, run.subjects, poses, options_, run.analyses, run.executor);
+    for (const processors::vertex_pack::NotPacked& left : made.left_out)
+      run.note_at({.draw = left.draw}, "not-packed", left.why);
     if (made.draws.empty()) {
       run.keep("no draw can be packed; the notes say why");
       return {};
@@ -40,7 +41,7 @@ class VertexPack final : public Processor {
     std::erase_if(all.draws, [&](const auto& packed) { return std::ranges::binary_search(draws, packed.draw); });
     std::vector<DrawId> changed;
     bool is_posed = false;
-    for (packing::PackedDraw& draw : made.draws) {
+    for (processors::vertex_pack::PackedDraw& draw : made.draws) {
       is_posed |= draw.packed.posed.has_value();
       tell(draw, packed_uv_widths(scene, draw.packed.draw), run);
       changed.push_back(draw.packed.draw);
@@ -56,7 +57,7 @@ class VertexPack final : public Processor {
 
  private:
   /// `uv_widths`: of the texture, for 1 of uv.
-  static void tell(const packing::PackedDraw& draw, double uv_widths, const Run& run) {
+  static void tell(const processors::vertex_pack::PackedDraw& draw, double uv_widths, const Run& run) {
     const About about{.draw = draw.packed.draw};
     constexpr double texels = 4096;
     const auto measure = [&](const char* metric, double bound, double whole, int field) {
@@ -107,26 +108,28 @@ Plugin vertex_pack_plugin() {
   OptionTable<VertexPackOptions> table;
   table
       .choice(
-          &packing::PackOptions::method, "method",
+          &processors::vertex_pack::PackOptions::method, "method",
           "How normals are coded. octahedral: as points of an octahedron; spherical: as two angles, as in the paper",
-          {{"octahedral", packing::NormalMethod::octahedral}, {"spherical", packing::NormalMethod::spherical}})
-      .row(&packing::PackOptions::displacement, "displacement",
+          {{"octahedral", processors::vertex_pack::NormalMethod::octahedral},
+           {"spherical", processors::vertex_pack::NormalMethod::spherical}})
+      .row(&processors::vertex_pack::PackOptions::displacement, "displacement",
            "Largest displacement along normals, as part of the box's diagonal: bits are shared out so that displaced "
            "points move the least (default: what materials say, else 0.002)",
            {0, 10, "of the diagonal"})
-      .row(&packing::PackOptions::slope, "slope",
+      .row(&processors::vertex_pack::PackOptions::slope, "slope",
            "Largest slope of the displacement's height, in diagonals of the box for the width of the texture (default: "
            "that of the materials' maps, else 0.2)",
            {0, 1000, "of the diagonal"})
-      .row(&packing::PackOptions::most_angle_error, "most-angle-error",
+      .row(&processors::vertex_pack::PackOptions::most_angle_error, "most-angle-error",
            "Largest error of normals, and of tangents at a right angle to them", {0.01, 10, "degrees"})
-      .row(&packing::PackOptions::most_uv_error, "most-uv-error",
+      .row(&processors::vertex_pack::PackOptions::most_uv_error, "most-uv-error",
            "Draws whose texture coordinates would be farther off are not packed", {0.001, 4096, "texels of 4096"})
-      .row(&packing::PackOptions::margin, "margin",
+      .row(&processors::vertex_pack::PackOptions::margin, "margin",
            "Room around the box of all poses, on each side, for what lies between poses and for blends of clips",
            {0, 10, "of its extent"});
   add_pose_rows(table);
-  bind_options(plugin, table, [](const VertexPackOptions& options) { return std::make_unique<VertexPack>(options); });
+  bind_options(plugin, table,
+               [](const VertexPackOptions& options) { return std::make_unique<VertexPackProcessor>(options); });
   return plugin;
 }
 

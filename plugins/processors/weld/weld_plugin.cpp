@@ -9,9 +9,9 @@ namespace foredraw {
 
 namespace {
 
-class WeldVertices final : public Processor {
+class WeldProcessor final : public Processor {
  public:
-  explicit WeldVertices(WeldOptions options) : options_(options) {}
+  explicit WeldProcessor(WeldOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<VertexGroup> groups = vertex_groups(scene);
@@ -63,7 +63,7 @@ Plugin weld_plugin() {
   };
   OptionTable<WeldOptions> table;
   table.row(&WeldOptions::keep_unused, "keep-unused", "Keep vertices that no triangle uses, instead of removing them");
-  bind_options(plugin, table, [](const WeldOptions& options) { return std::make_unique<WeldVertices>(options); });
+  bind_options(plugin, table, [](const WeldOptions& options) { return std::make_unique<WeldProcessor>(options); });
   return plugin;
 }
 

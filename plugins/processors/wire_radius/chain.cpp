@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -214,4 +214,4 @@ Chain ChainFollower::follow(std::uint32_t triangle, const glm::dvec3& direction)
   return chain;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

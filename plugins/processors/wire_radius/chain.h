@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 struct ChainSection {
   Section section;
@@ -85,4 +85,4 @@ class ChainFollower {
   double most_perimeter_ = 0;  ///< of the shell that is looked at
 };
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

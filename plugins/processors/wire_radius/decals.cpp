@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -77,4 +77,4 @@ bool is_decal(std::span<const BackProbe> probes, const RayTree& surfaces) {
   return !probes.empty() && 2 * hits >= probes.size();
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

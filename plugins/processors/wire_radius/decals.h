@@ -5,7 +5,7 @@
 
 #include <foredraw/analysis/ray_tree.h>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 /// Lines at one place of a wire, that a surface which it belongs to would cross.
 struct BackProbe {
@@ -25,4 +25,4 @@ std::vector<BackProbe> back_probes(const WeldedMesh& mesh, std::span<const std::
 /// Whether at half of the places or more something is there.
 bool is_decal(std::span<const BackProbe> probes, const RayTree& surfaces);
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -83,4 +83,4 @@ double HullBoxes::farthest(std::size_t& corner, std::size_t first, const glm::dv
   }
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 /// Counter-clockwise, without points on its edges (Andrew 1979). O(n log n). `points` are sorted.
 void convex_hull(std::vector<glm::dvec2>& points, std::vector<glm::dvec2>& hull);
@@ -36,4 +36,4 @@ class HullBoxes {
   std::size_t high_ = 0, deep_ = 0, low_ = 0;
 };
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -1,6 +1,6 @@
 #include "nets.h"
 
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <glm/geometric.hpp>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -227,4 +227,4 @@ std::vector<Net> find_nets(const WeldedMesh& mesh) {
   return nets;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -3,7 +3,7 @@
 
 #include "wire_points.h"
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 struct Net {
   std::uint32_t shell = 0;
@@ -17,4 +17,4 @@ struct Net {
 /// several, and has a centre for each.
 std::vector<Net> find_nets(const WeldedMesh& mesh);
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

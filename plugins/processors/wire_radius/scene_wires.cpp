@@ -3,6 +3,7 @@
 #include "wire_streams.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/scene/skin_weights.h>
 #include <foredraw/scene/vertex_groups.h>
@@ -13,7 +14,7 @@
 #include <cmath>
 #include <map>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -277,4 +278,4 @@ std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitW
   return made;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

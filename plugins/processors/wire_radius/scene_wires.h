@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 /// Draws of a mesh, those that share vertices with them, and those of meshes that follow the same skin. They lie in one
 /// space.
@@ -48,4 +48,4 @@ UnitWires find_unit_wires(const Scene& scene, const WireUnit& unit, const WireOp
 std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires,
                                  std::span<const std::uint32_t> ranged, bool as_texcoords);
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -274,4 +274,4 @@ double Cutter::next_corner(const Plane& plane) const {
   return next;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 struct Plane {
   glm::dvec3 at;
@@ -80,4 +80,4 @@ class Cutter {
   glm::dvec3 borders_{0};  ///< the sum of their directions where the last cut ends, upwards
 };
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -1,17 +1,15 @@
 #include "welded_mesh.h"
 
 #include <foredraw/analysis/welded_positions.h>
-
-#include <glm/geometric.hpp>
+#include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/joined_sets.h>
+#include <foredraw/geometry/triangle_area.h>
 
 #include <algorithm>
-#include <cmath>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void add_points(std::span<const glm::vec3> positions, WeldedMesh& mesh) {
   const std::vector<std::uint32_t> first = welded(positions);
@@ -97,8 +95,7 @@ void add_neighbours(WeldedMesh& mesh) {
       mesh.shell[t] = mesh.shell[first];
     }
     const auto& [a, b, c] = mesh.triangles[t];
-    mesh.shell_area[mesh.shell[t]] +=
-        glm::length(glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a])) / 2;
+    mesh.shell_area[mesh.shell[t]] += triangle_area(mesh.points[a], mesh.points[b], mesh.points[c]);
   }
 }
 
@@ -112,4 +109,4 @@ WeldedMesh weld_mesh(std::span<const glm::vec3> positions, std::span<const std::
   return mesh;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 inline constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -28,4 +28,4 @@ struct WeldedMesh {
 /// `indices`: three a triangle, each below the number of positions. O(n log n).
 WeldedMesh weld_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

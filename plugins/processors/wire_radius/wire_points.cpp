@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 WirePoints::WirePoints(const WeldedMesh& mesh)
     : mesh_(mesh), cutter_(mesh), points_(mesh.points.size()), triangles_(mesh.triangles.size(), 0) {}
@@ -145,4 +145,4 @@ WireParts WirePoints::along(const Chain& chain, const WireRun& run) {
   return parts;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -3,7 +3,7 @@
 
 #include "wire_run.h"
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 struct WirePoint {
   std::uint32_t point = none;
@@ -48,4 +48,4 @@ class WirePoints {
   std::vector<std::uint32_t> triangles_;  ///< [triangle] the last call that saw it
 };
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

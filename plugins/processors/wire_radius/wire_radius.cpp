@@ -14,7 +14,7 @@ namespace foredraw {
 
 namespace {
 
-using namespace wiring;
+using namespace processors::wire_radius;
 
 /// What may be a wire, with all that is known of it.
 struct Candidate {

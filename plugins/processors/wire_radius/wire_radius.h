@@ -1,7 +1,7 @@
 #pragma once
 // Finds what is long and thin in a mesh: tubes, ribbons, and nets of ribbons.
 
-#include <foredraw/scene/wires.h>
+#include <foredraw/wires/wires.h>
 
 #include <glm/vec3.hpp>
 

@@ -17,8 +17,8 @@ namespace foredraw {
 
 namespace {
 
-using wiring::UnitWires;
-using wiring::WireUnit;
+using processors::wire_radius::UnitWires;
+using processors::wire_radius::WireUnit;
 
 const char* text_of(WireRefusal why) {
   switch (why) {
@@ -94,9 +94,9 @@ void take_any_shape(WireOptions& options) {
   options.least_length = 0;
 }
 
-class WireRadius final : public Processor {
+class WireRadiusProcessor final : public Processor {
  public:
-  explicit WireRadius(StageOptions options) : options_(std::move(options)) {
+  explicit WireRadiusProcessor(StageOptions options) : options_(std::move(options)) {
     if (!options_.names.empty()) take_any_shape(options_);
   }
 
@@ -106,8 +106,8 @@ class WireRadius final : public Processor {
       run.keep("no draw, material or node has a name that `names` asks for");
       return {};
     }
-    wiring::WireUnits units = wiring::wire_units(scene, chosen);
-    for (const wiring::LeftDraw& left : units.left) {
+    processors::wire_radius::WireUnits units = processors::wire_radius::wire_units(scene, chosen);
+    for (const processors::wire_radius::LeftDraw& left : units.left) {
       run.note_at({.draw = left.draw}, "left-alone", "its wires are left alone: " + left.why);
     }
     std::vector<UnitWires> found(units.units.size());
@@ -117,7 +117,7 @@ class WireRadius final : public Processor {
       if (run.cancelled()) return;
       WireSearch search{.cancel = run.cancel};
       if (run.progress && found.size() == 1) search.progress = run.progress;
-      found[u] = wiring::find_unit_wires(scene, units.units[u], options_, search, run.analyses);
+      found[u] = processors::wire_radius::find_unit_wires(scene, units.units[u], options_, search, run.analyses);
       if (run.progress) run.progress(part * static_cast<double>(++done));
     });
     if (run.cancelled()) return {};
@@ -131,7 +131,8 @@ class WireRadius final : public Processor {
         const std::vector<std::uint32_t> bounds = run.bounds(scene, {id, 0}, Wires::product);
         ranged.push_back(bounds.empty() ? 0 : bounds.back());
       }
-      for (DrawWires& of : wiring::put_wires(scene, units.units[u], found[u], ranged, options_.as == As::texcoords)) {
+      for (DrawWires& of :
+           processors::wire_radius::put_wires(scene, units.units[u], found[u], ranged, options_.as == As::texcoords)) {
         changed.push_back(of.draw);
         std::erase_if(all.draws, [&](const DrawWires& old) { return old.draw == of.draw; });
         if (of.wires.empty()) continue;
@@ -244,7 +245,7 @@ Plugin wire_radius_plugin() {
   };
   plugin.products = {wires_product()};
   bind_options(plugin, std::move(table),
-               [](const StageOptions& options) { return std::make_unique<WireRadius>(options); });
+               [](const StageOptions& options) { return std::make_unique<WireRadiusProcessor>(options); });
   return plugin;
 }
 

@@ -4,7 +4,7 @@
 #include <deque>
 #include <numbers>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::optional<WireRefusal> shape_refusal(const Chain& chain, const WireRun& run,
   return std::nullopt;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

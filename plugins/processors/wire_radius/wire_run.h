@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 /// Sections first to last of a chain.
 struct WireRun {
@@ -23,4 +23,4 @@ std::optional<WireRun> longest_run(const Chain& chain, double taper);
 /// Why it is no wire by its shape; nothing: it is one.
 std::optional<WireRefusal> shape_refusal(const Chain& chain, const WireRun& run, const WireOptions& options);
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

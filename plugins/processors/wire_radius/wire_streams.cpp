@@ -1,12 +1,13 @@
 #include "wire_streams.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -96,13 +97,11 @@ std::shared_ptr<const VertexStreams> with_wire_streams(const VertexStreams& vert
 
 std::optional<std::vector<glm::vec4>> wire_rows(const VertexStreams& vertices, std::optional<std::uint32_t> texcoords) {
   auto of = decoded_wires(vertices, texcoords);
-  const auto are_numbers = [](const glm::vec4& row) {
-    return std::isfinite(row.x) && std::isfinite(row.y) && std::isfinite(row.z) && std::isfinite(row.w);
-  };
+  const auto are_numbers = [](const glm::vec4& row) { return is_finite(row); };
   if (!of || !std::ranges::all_of(of->wires, are_numbers) || !std::ranges::all_of(of->axes, are_numbers)) {
     return std::nullopt;
   }
   return std::move(of->wires);
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

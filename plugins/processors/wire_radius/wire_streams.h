@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 /// A vertex, and the number of its copy in what was found.
 struct CopiedVertex {
@@ -37,4 +37,4 @@ std::shared_ptr<const VertexStreams> without_wire_streams(const VertexStreams& v
 /// not finite.
 std::optional<std::vector<glm::vec4>> wire_rows(const VertexStreams& vertices, std::optional<std::uint32_t> texcoords);
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

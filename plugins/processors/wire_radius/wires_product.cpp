@@ -5,7 +5,7 @@
 
 #include <foredraw/base/counted.h>
 #include <foredraw/scene/moves.h>
-#include <foredraw/viewing/wire_shader.h>
+#include <foredraw/wires/wire_shader.h>
 
 #include <fmt/format.h>
 
@@ -66,7 +66,7 @@ std::string difference_of(const DrawWires& of, const Scene& scene) {
   std::uint64_t sum = of.first_triangle;
   for (const Wire& wire : of.wires) sum += wire.triangles;
   if (of.wires.empty() || sum != triangles) return name + " has a different number of triangles";
-  const auto rows = wiring::wire_rows(*level.vertices, of.texcoords);
+  const auto rows = processors::wire_radius::wire_rows(*level.vertices, of.texcoords);
   if (!rows) return name + " lacks one of their streams, or it has another type";
   const auto indices = level.stream().indices.view();
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -96,7 +96,7 @@ void take_streams(const std::vector<DrawWires>& lost, const std::vector<DrawWire
     if (streams == nullptr || is_kept(streams)) continue;
     const bool has_any =
         of.texcoords || streams->find(wire_semantic) != nullptr || streams->find(wire_axis_semantic) != nullptr;
-    if (has_any) without.try_emplace(streams, wiring::without_wire_streams(*streams, of.texcoords));
+    if (has_any) without.try_emplace(streams, processors::wire_radius::without_wire_streams(*streams, of.texcoords));
   }
   for (Draw& draw : scene.draws) {
     for (Level& level : draw.levels) {

@@ -2,7 +2,7 @@
 // Wires as a product: FOREDRAW_wires, and the shaders that draw them.
 
 #include <foredraw/scene/product_row.h>
-#include <foredraw/scene/wires.h>
+#include <foredraw/wires/wires.h>
 
 namespace foredraw {
 

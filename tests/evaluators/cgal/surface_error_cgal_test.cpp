@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::surface_error_cgal_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -92,4 +92,4 @@ TEST(SurfaceErrorByCgal, OfASphereThatLostAPartAndIsRoughIsTheSame) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::surface_error_cgal_test

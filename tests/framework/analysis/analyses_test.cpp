@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::analyses_test {
 namespace {
 
 struct Sum {
@@ -181,4 +181,4 @@ TEST(PositionsOf, NoneWithoutAStream) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::analyses_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace foredraw {
+namespace foredraw::certificate_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -148,4 +148,4 @@ TEST(Certificate, OneForEachOrderOfEachLevel) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::certificate_test

@@ -13,7 +13,7 @@
 #include <ctime>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::closest_points_test {
 namespace {
 
 using testing::TestMesh;
@@ -175,4 +175,4 @@ TEST(ClosestPoints, LeavesOutWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::closest_points_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::crossing_triangles_test {
 namespace {
 
 using testing::TestMesh;
@@ -83,4 +83,4 @@ TEST(CrossingTriangles, EndWhenTheyAreCancelled) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crossing_triangles_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::equal_vertices_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -27,4 +27,4 @@ TEST(EqualVertices, AreCountedAmongThoseThatAreDrawn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::equal_vertices_test

@@ -1,5 +1,6 @@
 #include <foredraw/analysis/farthest_distance.h>
 
+#include "support/collapses.h"
 #include "support/meshes.h"
 
 #include <foredraw/analysis/surface_distance.h>
@@ -11,17 +12,13 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::farthest_distance_test {
 namespace {
 
+using testing::moved;
 using testing::TestMesh;
 
 Surface surface_of(const TestMesh& mesh) { return {mesh.positions, mesh.indices}; }
-
-TestMesh moved(TestMesh mesh, glm::vec3 by) {
-  for (glm::vec3& p : mesh.positions) p += by;
-  return mesh;
-}
 
 Farthest one_way(const TestMesh& of, const TestMesh& to, const FarthestOptions& options = {}, int threads = 2) {
   return *farthest_distance(surface_of(of), ClosestPoints(surface_of(to)), options, Executor(threads));
@@ -227,4 +224,4 @@ TEST(IsWithin, AnswersOnBothSidesOfTheTruth) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::farthest_distance_test

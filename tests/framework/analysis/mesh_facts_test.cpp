@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::mesh_facts_test {
 namespace {
 
 using testing::TestMesh;
@@ -64,4 +64,4 @@ RC_GTEST_PROP(MeshFacts, whole_numbers_agree_with_integer_arithmetic, ()) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::mesh_facts_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::moved_nodes_test {
 namespace {
 
 TEST(MovedNodes, AreThoseThatAnimationsMoveAndJointsWithAllBelow) {
@@ -30,4 +30,4 @@ TEST(MovedNodes, NodesThatAreNotThereDoNotMove) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::moved_nodes_test

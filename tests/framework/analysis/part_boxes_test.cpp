@@ -9,14 +9,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::part_boxes_test {
 namespace {
 
 using Sliver = std::array<glm::vec3, 3>;
 
 bool holds(const BoxTree::Box& box, const glm::dvec3& point) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (point[axis] < double{box.low[axis]} || point[axis] > double{box.high[axis]}) return false;
+    if (point[axis] < double{box.min[axis]} || point[axis] > double{box.max[axis]}) return false;
   }
   return true;
 }
@@ -54,8 +54,8 @@ TEST(PartBoxes, OneIsTheTrianglesOwn) {
   std::vector<BoxTree::Box> boxes;
   add_part_boxes({glm::vec3(0, 1, 2), glm::vec3(3, -1, 5), glm::vec3(1, 1, 1)}, 1, boxes);
   ASSERT_EQ(boxes.size(), 1u);
-  EXPECT_EQ(boxes[0].low, glm::vec3(0, -1, 1));
-  EXPECT_EQ(boxes[0].high, glm::vec3(3, 1, 5));
+  EXPECT_EQ(boxes[0].min, glm::vec3(0, -1, 1));
+  EXPECT_EQ(boxes[0].max, glm::vec3(3, 1, 5));
 }
 
 TEST(PartBoxes, AreForWhatIsThinAndLiesAcrossTheAxes) {
@@ -90,4 +90,4 @@ TEST(PartBoxes, OfAHubHoldFewOfItsPoints) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::part_boxes_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::placements_test {
 namespace {
 
 /// A mesh placed by three nodes, two of which stand at one place, turned each its own way.
@@ -61,4 +61,4 @@ TEST(Placements, MayBeRoundedOtherwise) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::placements_test

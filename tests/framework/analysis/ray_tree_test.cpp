@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::ray_tree_test {
 namespace {
 
 using testing::TestMesh;
@@ -116,4 +116,4 @@ TEST(RayTree, WhatIsNotFiniteIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::ray_tree_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::sampled_test {
 namespace {
 
 std::vector<double> even(std::size_t count, std::uint64_t seed) {
@@ -52,4 +52,4 @@ TEST(Sampled, OfBothWeighsThemAlike) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sampled_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::scene_facts_test {
 namespace {
 
 /// Two draws of the same vertices, of which each uses some, and a third one with its own.
@@ -39,4 +39,4 @@ TEST(SceneFacts, shared_vertices_are_counted_once) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::scene_facts_test

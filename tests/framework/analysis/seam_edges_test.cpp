@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::seam_edges_test {
 namespace {
 
 /// Triangles with three vertices each.
@@ -191,4 +191,4 @@ TEST(SeamEdges, HangOnTheSurfaceAlone) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::seam_edges_test

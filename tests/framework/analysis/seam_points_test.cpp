@@ -7,7 +7,7 @@
 #include <array>
 #include <bit>
 
-namespace foredraw {
+namespace foredraw::seam_points_test {
 namespace {
 
 /// Two triangles that meet in the edge from (0, 0, 0) to (1, 0, 0), with uvs of their own.
@@ -100,4 +100,4 @@ TEST(ExactFactors, AreTheLargestThatHold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::seam_points_test

@@ -1,5 +1,6 @@
 #include <foredraw/analysis/surface_distance.h>
 
+#include "support/collapses.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -7,17 +8,13 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::surface_distance_test {
 namespace {
 
+using testing::moved;
 using testing::TestMesh;
 
 Surface surface_of(const TestMesh& mesh) { return {mesh.positions, mesh.indices}; }
-
-TestMesh moved(TestMesh mesh, glm::vec3 by) {
-  for (glm::vec3& p : mesh.positions) p += by;
-  return mesh;
-}
 
 SurfaceDistance between(const TestMesh& a, const TestMesh& b, SurfaceDistanceOptions options = {}, int threads = 2) {
   const Executor executor(threads);
@@ -97,4 +94,4 @@ TEST(SurfaceDistance, IsTheSameAtAnyThreadCount) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::surface_distance_test

@@ -9,7 +9,7 @@
 #include <deque>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::analysis_vertex_cache_test {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -79,4 +79,4 @@ TEST(VertexCacheModels, a_fetch_reads_whole_lines) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::analysis_vertex_cache_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::vertex_rows_test {
 namespace {
 
 VertexStream stream_of(std::vector<std::uint8_t> values, std::uint8_t width) {
@@ -42,4 +42,4 @@ TEST(VertexRows, NoVerticesNoRows) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_rows_test

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::content_hash_test {
 namespace {
 
 Stamp stamp_of(const std::vector<std::uint32_t>& values, std::uint64_t seed = 0) {
@@ -56,4 +56,4 @@ TEST(ContentHash, IsToldInThirtyTwoDigits) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::content_hash_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::copy_safe_variant_test {
 namespace {
 
 bool exhausted = false;
@@ -84,4 +84,4 @@ TEST_F(CopySafeVariants, APartTakesThePlaceOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::copy_safe_variant_test

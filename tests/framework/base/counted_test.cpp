@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::counted_test {
 namespace {
 
 TEST(Counted, ThousandsStandApart) {
@@ -21,4 +21,4 @@ TEST(Counted, OneThingIsSingular) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::counted_test

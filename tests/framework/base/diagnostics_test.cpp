@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::diagnostics_test {
 namespace {
 
 TEST(Diagnostics, AreToldWithPlaceAndHint) {
@@ -59,4 +59,4 @@ TEST(Nearest, AnExactMatchStandsAboveALongerWord) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::diagnostics_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::files_read_test {
 namespace {
 
 std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span(text)); }
@@ -47,4 +47,4 @@ TEST(StreamedHash, IsThatOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::files_read_test

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::parallel_test {
 namespace {
 
 TEST(Executor, CallsEveryIndexOnce) {
@@ -134,4 +134,4 @@ TEST(Executor, ACallersLoopNeedNotKnowOfExceptions) {
 TEST(Executor, AskedForNoThreadsTellsOfOne) { EXPECT_EQ(Executor(0, one_after_the_other).threads(), 1); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::parallel_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::printable_test {
 namespace {
 
 constexpr const char* bad = "\xef\xbf\xbd";
@@ -28,4 +28,4 @@ TEST(Printable, ReplacesWhatIsNoUtf8) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::printable_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::random_test {
 namespace {
 
 TEST(Random, IsSplitMix64AsPublished) {
@@ -63,4 +63,4 @@ TEST(DeriveSeed, EveryStageAndDrawHasItsOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::random_test

@@ -8,7 +8,7 @@
 #include <map>
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -210,4 +210,4 @@ TEST(TellChanges, NotOfWhatIsFreshOrOfTomorrow) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cache_test

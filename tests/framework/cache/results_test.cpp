@@ -4,7 +4,7 @@
 #include <foredraw/cache/results.h>
 #include <foredraw/platform/files.h>
 
-namespace foredraw {
+namespace foredraw::results_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,20 +137,6 @@ TEST_F(Results, AListThatIsDamagedIsTold) {
   EXPECT_EQ(found(work()), "first");
 }
 
-/// What a run read before it was cut in two, and what it read afterwards.
-TEST(Joined, FilesStandOnceAndThoseThatChangedTwice) {
-  const auto content = [](const char* path, std::uint64_t stamp) {
-    return FileRead{path, FileRead::Found::content, FileRead::all_of_it, 1, {stamp, 0}};
-  };
-  const FileRead there{"b", FileRead::Found::there, 0, 0, {}}, missing{"c", FileRead::Found::missing, 0, 0, {}};
-  const auto files = joined({content("b", 1), missing}, {there, content("a", 1), content("b", 1), missing});
-  std::string paths;
-  for (const FileRead& file : files) paths += file.path.string();
-  EXPECT_EQ(paths, "abc");
-  EXPECT_EQ(files[1].found, FileRead::Found::content);
-  EXPECT_EQ(joined({content("b", 1)}, {content("b", 2)}).size(), 2u);
-}
-
 TEST_F(Results, OfAFileThatIsReadAloneAreOneEntry) {
   testing::put(folder_ / "in/main", "");
   const auto entries = [&] {
@@ -185,4 +171,4 @@ TEST(ResultAbout, IsReadBack) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::results_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::attribute_rows_test {
 namespace {
 
 constexpr AttributeWeights nothing{.normals = 0, .texcoords = 0, .colors = 0, .joints = 0, .targets = 0};
@@ -197,4 +197,4 @@ TEST(AttributeRows, TexcoordsCountTheSameInAnyUnits) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::attribute_rows_test

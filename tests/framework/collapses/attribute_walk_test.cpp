@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::attribute_walk_test {
 namespace {
 
 /// Three by two squares; the edge in the middle, from `left` to `right`, collapses to `place`.
@@ -137,4 +137,4 @@ TEST(AttributeWalk, WhatTwoBecomeIsBlendedOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::attribute_walk_test

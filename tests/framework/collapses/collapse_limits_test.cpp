@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::collapse_limits_test {
 namespace {
 
 /// 540 pixels are half the picture, whose edge lies 30 degrees from the middle.
@@ -15,4 +15,4 @@ TEST(CollapseLimits, PixelsAreADistance) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::collapse_limits_test

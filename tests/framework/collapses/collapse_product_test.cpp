@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::collapse_product_test {
 namespace {
 
 class CollapseProduct : public ::testing::Test {
@@ -60,4 +60,4 @@ TEST_F(CollapseProduct, IsTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::collapse_product_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::collapse_recorder_test {
 namespace {
 
 using testing::TestMesh;
@@ -64,4 +64,4 @@ TEST(CollapseRecorder, BlendsRunFromTheKeptPointToTheRemovedOne) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::collapse_recorder_test

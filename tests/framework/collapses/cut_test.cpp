@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::cut_test {
 namespace {
 
 template <class T>
@@ -136,4 +136,4 @@ TEST_F(Cut, WhatDidNotChangeKeepsItsBytes) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cut_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::level_vertices_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
@@ -236,4 +236,4 @@ TEST_F(LevelVerticesTest, TargetsAreMatchedByTheirNumber) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::level_vertices_test

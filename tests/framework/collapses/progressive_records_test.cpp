@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace foredraw {
+namespace foredraw::progressive_records_test {
 namespace {
 
 using testing::TestMesh;
@@ -142,4 +142,4 @@ TEST(ProgressiveRecords, AMeshThatNothingCollapsesHasOneState) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::progressive_records_test

@@ -2,7 +2,7 @@
 
 #include "support/refined.h"
 
-namespace foredraw {
+namespace foredraw::refine_records_test {
 namespace {
 
 using testing::Refined;
@@ -182,4 +182,4 @@ TEST(RefineRecords, BallsAndNormalsHoldWhatIsBelow) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::refine_records_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::replay_test {
 namespace {
 
 /// Two triangles that share an edge, and a third beside them: 0 1 2, 2 1 3, 2 3 4.
@@ -105,4 +105,4 @@ TEST(Replay, GivesUpWhereOnePointGathersAll) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::replay_test

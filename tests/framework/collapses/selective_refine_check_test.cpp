@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::selective_refine_check_test {
 namespace {
 
 using testing::Refined;
@@ -226,4 +226,4 @@ TEST(RefineCheck, WhatItLetsThroughStaysWithinItsArrays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::selective_refine_check_test

@@ -2,7 +2,7 @@
 
 #include "support/refined.h"
 
-namespace foredraw {
+namespace foredraw::selective_refine_view_test {
 namespace {
 
 using testing::Refined;
@@ -100,4 +100,4 @@ TEST_F(RefineView, FartherAwayIsCoarser) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::selective_refine_view_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::surface_fans_test {
 namespace {
 
 using testing::TestMesh;
@@ -68,4 +68,4 @@ TEST(SurfaceFans, AMoebiusStripIsCutOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::surface_fans_test

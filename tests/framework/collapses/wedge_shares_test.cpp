@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::wedge_shares_test {
 namespace {
 
 /// Around the edge from (0, 0) to (1, 0), bent upwards beside it: ten triangles with eight corners around.
@@ -97,4 +97,4 @@ TEST(WedgeShares, AreNoneWhereFacesDoNotSay) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wedge_shares_test

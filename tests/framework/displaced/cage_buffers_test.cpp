@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::cage_buffers_test {
 namespace {
 
 TEST(CageBuffers, AVertexHasWhatTheShadersReadOfIt) {
@@ -47,4 +47,4 @@ TEST(CageBuffers, AVertexHasItsFourLargestInfluences) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cage_buffers_test

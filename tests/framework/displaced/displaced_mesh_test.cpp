@@ -14,7 +14,7 @@
 #include <cmath>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::displaced_mesh_test {
 namespace {
 
 using Places = std::vector<std::array<std::int32_t, 2>>;
@@ -192,4 +192,4 @@ TEST(DisplacedMesh, HasNoCrackAlongAnEdgeWhoseVerticesDiffer) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_mesh_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::displaced_shader_test {
 namespace {
 
 using enum DisplacedStage;
@@ -112,4 +112,4 @@ TEST(DisplacedShader, WhatNoShaderCanDoIsRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_shader_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::edge_division_test {
 namespace {
 
 using enum TessellationSpacing;
@@ -142,4 +142,4 @@ TEST(EdgeDivision, points_move_a_little_when_the_level_does) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::edge_division_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::height_map_test {
 namespace {
 
 template <class T>
@@ -62,4 +62,4 @@ TEST(HeightMap, IsSampledByTheTexturesWraps) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::height_map_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::height_range_test {
 namespace {
 
 using Corners = std::array<std::array<std::int32_t, 2>, 3>;
@@ -106,4 +106,4 @@ TEST(HeightRanges, OfLargeTrianglesAreNeverTooSmall) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::height_range_test

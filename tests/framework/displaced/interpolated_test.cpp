@@ -12,7 +12,7 @@
 #include <limits>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::interpolated_test {
 namespace {
 
 template <class T>
@@ -270,4 +270,4 @@ TEST(Interpolated, joints_are_the_largest_influences) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::interpolated_test

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::smooth_directions_test {
 namespace {
 
 /// A cube whose every face has four vertices of its own, with the face's normal.
@@ -103,4 +103,4 @@ TEST(SmoothDirections, OfATinySurfaceAreAsThoseOfALargeOne) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::smooth_directions_test

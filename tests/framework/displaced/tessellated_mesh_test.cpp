@@ -12,7 +12,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::tessellated_mesh_test {
 namespace {
 
 using enum TessellationSpacing;
@@ -226,4 +226,4 @@ TEST(TessellatedMesh, refuses_what_is_no_mesh_or_too_much) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellated_mesh_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::tessellation_pattern_test {
 namespace {
 
 using enum TessellationSpacing;
@@ -153,4 +153,4 @@ TEST(TessellationPattern, coordinates_are_exact) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellation_pattern_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-namespace foredraw {
+namespace foredraw::gltf_test {
 namespace {
 
 using namespace testing;
@@ -289,4 +289,4 @@ TEST(GltfDrawOrders, what_is_written_fits_the_schemas) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_test

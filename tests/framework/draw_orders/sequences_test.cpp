@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::sequences_test {
 namespace {
 
 using namespace testing;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& wrong) { return std::string(wrong.param.name); });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sequences_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::told_test {
 namespace {
 
 TEST(DrawOrdersProduct, TellsWhatTheOrdersTakeBesideOneForEachKeyframe) {
@@ -87,4 +87,4 @@ TEST(DrawOrdersProduct, LeavesOutATableWhosePartsAreGoneAndItsSequencesWithATabl
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::told_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::calibration_test {
 namespace {
 
 RenderingCosts made_up(Stages stages) {
@@ -119,4 +119,4 @@ TEST(Calibration, TheReferenceRendererDrawsWhatAFrameSays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::calibration_test

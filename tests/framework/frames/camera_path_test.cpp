@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::camera_path_test {
 namespace {
 
 struct Stage {
@@ -133,4 +133,4 @@ TEST(CameraPath, WrongWordsAreTold) {
 TEST(CameraPath, OfASceneWithoutTrianglesIsThere) { EXPECT_EQ(path_of(Scene{}, {.frames = 4}).size(), 4u); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::camera_path_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::cost_fit_test {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -185,4 +185,4 @@ TEST(CostFit, AnswersAlikeAtEveryCallAndHardlyHangsOnTheSequence) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cost_fit_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::frame_moment_test {
 namespace {
 
 constexpr FrameSize size{200, 100};
@@ -178,4 +178,4 @@ TEST(FrameMoment, NodesMirrorWhateverTheirJointsDo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::frame_moment_test

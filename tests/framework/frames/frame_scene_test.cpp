@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::frame_scene_test {
 namespace {
 
 TEST(FrameScene, ShowsDisplacedDrawsMovedAndCoarserLevelsAsTheyAre) {
@@ -23,4 +23,4 @@ TEST(FrameScene, ShowsDisplacedDrawsMovedAndCoarserLevelsAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::frame_scene_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::non_negative_least_squares_test {
 namespace {
 
 struct Equations {
@@ -104,4 +104,4 @@ TEST(NonNegativeLeastSquares, OfNothingAreZeros) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::non_negative_least_squares_test

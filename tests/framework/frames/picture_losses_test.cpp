@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::picture_losses_test {
 namespace {
 
 PictureLosses losses_of(const Scene& scene) {
@@ -56,4 +56,4 @@ TEST(RenderingAccuracies, AreTheSameWithoutAllLosses) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::picture_losses_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::reference_renderer_test {
 namespace {
 
 using testing::TestMesh;
@@ -286,4 +286,4 @@ TEST(FrameTruth, FloorFallsWithSamples) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::reference_renderer_test

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::rendering_costs_test {
 namespace {
 
 RenderingCosts made_up(Stages stages) {
@@ -114,4 +114,4 @@ TEST(RenderingCosts, ARenderingIsCalledAsInTheFile) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::rendering_costs_test

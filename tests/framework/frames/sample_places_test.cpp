@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::sample_places_test {
 namespace {
 
 /// In each row and each column of as many cells there is one.
@@ -46,4 +46,4 @@ TEST(SamplePlaces, OtherNumbersAreRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sample_places_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::unhidden_objects_test {
 namespace {
 
 /// A wall of that material between the camera and three spheres, of which the third is beside it.
@@ -74,4 +74,4 @@ TEST(UnhiddenObjects, AnObjectDoesNotHideItself) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::unhidden_objects_test

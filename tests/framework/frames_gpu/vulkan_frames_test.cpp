@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::vulkan_frames_test {
 namespace {
 
 using testing::TestMesh;
@@ -398,4 +398,4 @@ TEST(VulkanFramesDevice, HasToBeThere) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vulkan_frames_test

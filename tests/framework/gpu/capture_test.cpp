@@ -1,4 +1,3 @@
-#include <foredraw/gpu/capture.h>
 #include <foredraw/gpu/graphics_pipeline.h>
 #include <foredraw/gpu/pictures.h>
 
@@ -6,6 +5,7 @@
 #include "shaders/patch_tesc.h"
 #include "shaders/patch_tese.h"
 #include "shaders/patch_vert.h"
+#include "support/capture.h"
 #include "support/on_device.h"
 
 #include <glm/vec2.hpp>
@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::capture_test {
 namespace {
 
 struct Output {
@@ -29,7 +29,7 @@ class Patches {
  public:
   explicit Patches(Device& device) : device_(device) {}
 
-  Capture drawn(float level, VkDeviceSize bytes, bool has_fragments = true) {
+  testing::Capture drawn(float level, VkDeviceSize bytes, bool has_fragments = true) {
     const OwnedShader vertex_shader = make_shader(device_, patch_vert),
                       control_shader = make_shader(device_, patch_tesc),
                       evaluation_shader = make_shader(device_, patch_tese),
@@ -45,7 +45,7 @@ class Patches {
     state.inputs = inputs;
     state.culled = VK_CULL_MODE_NONE;
     const OwnedPipeline pipeline = graphics_pipeline(device_, state);
-    Capture capture(device_, bytes);
+    testing::Capture capture(device_, bytes);
     device_.run([&](VkCommandBuffer commands) {
       capture.reset(commands);
       pictures_.begin(commands, 0);
@@ -100,7 +100,7 @@ constexpr VkDeviceSize enough = 1 << 20;
 
 TEST_F(GpuCapture, has_what_the_evaluation_shader_puts_out) {
   for (const auto& [level, triangles] : {std::pair{1.0f, 1u}, {2.0f, 6u}, {5.0f, 37u}, {16.0f, 384u}}) {
-    const Capture capture = patches_->drawn(level, enough);
+    const testing::Capture capture = patches_->drawn(level, enough);
     EXPECT_EQ(capture.triangles().written, 2u * triangles);
     EXPECT_EQ(capture.triangles().drawn, 2u * triangles);
     const std::span<const Output> outputs = capture.as<Output>();
@@ -112,7 +112,7 @@ TEST_F(GpuCapture, has_what_the_evaluation_shader_puts_out) {
 }
 
 TEST_F(GpuCapture, says_how_much_there_was_no_room_for) {
-  const Capture capture = patches_->drawn(5, 3 * sizeof(Output) * 10);
+  const testing::Capture capture = patches_->drawn(5, 3 * sizeof(Output) * 10);
   EXPECT_EQ(capture.triangles().written, 10u);
   EXPECT_EQ(capture.triangles().drawn, 74u);
   EXPECT_EQ(capture.as<Output>().size(), 30u);
@@ -122,10 +122,10 @@ TEST_F(GpuCapture, patches_are_rasterised_beside_it_or_not_at_all) {
   patches_->drawn(7, enough);
   EXPECT_EQ(patches_->pixels(7) + patches_->pixels(8), Patches::size * Patches::size);
   EXPECT_NEAR(static_cast<double>(patches_->pixels(7)), Patches::size * Patches::size / 2.0, Patches::size);
-  const Capture capture = patches_->drawn(7, enough, false);
+  const testing::Capture capture = patches_->drawn(7, enough, false);
   EXPECT_EQ(capture.triangles().written, 146u);
   EXPECT_EQ(patches_->pixels(empty_pixel), Patches::size * Patches::size);
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::capture_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::clip_space_test {
 namespace {
 
 TEST(GpuClipSpace, shows_what_the_camera_shows) {
@@ -31,4 +31,4 @@ TEST(GpuClipSpace, shows_what_the_camera_shows) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::clip_space_test

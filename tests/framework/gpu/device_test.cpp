@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::device_test {
 namespace {
 
 using GpuDevice = testing::OnDevice;
@@ -52,4 +52,4 @@ TEST(GpuDrivers, where_there_is_none_the_reason_says_what_to_install) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::device_test

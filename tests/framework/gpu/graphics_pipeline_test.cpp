@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::graphics_pipeline_test {
 namespace {
 
 constexpr std::uint32_t size = 64;
@@ -138,4 +138,4 @@ TEST_F(GraphicsPipeline, leaves_out_faces_that_are_culled) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::graphics_pipeline_test

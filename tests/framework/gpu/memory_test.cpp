@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::gpu_memory_test {
 namespace {
 
 using GpuMemory = testing::OnDevice;
@@ -34,4 +34,4 @@ TEST_F(GpuMemory, buffers_may_be_of_nothing) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::gpu_memory_test

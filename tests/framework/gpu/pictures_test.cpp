@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::pictures_test {
 namespace {
 
 using GpuPictures = testing::OnDevice;
@@ -51,4 +51,4 @@ TEST_F(GpuPictures, are_as_many_as_fit_and_none_where_one_is_too_large) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::pictures_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::stopwatch_test {
 namespace {
 
 using GpuStopwatch = testing::OnDevice;
@@ -25,4 +25,4 @@ TEST_F(GpuStopwatch, work_takes_time) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::stopwatch_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::textures_test {
 namespace {
 
 using GpuTextures = testing::OnDevice;
@@ -37,4 +37,4 @@ TEST_F(GpuTextures, sets_hold_images_and_how_they_are_read) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::textures_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::alpha_image_test {
 namespace {
 
 /// Of 4 x 2 texels: 0, 1/3, 2/3, 1 above, all 1 below.
@@ -81,4 +81,4 @@ TEST(AlphaImage, a_level_of_an_odd_size_weighs_what_its_texels_cover) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::alpha_image_test

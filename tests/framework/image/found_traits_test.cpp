@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-namespace foredraw {
+namespace foredraw::found_traits_test {
 namespace {
 
 const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -98,4 +98,4 @@ TEST(FindTraits, WhatStagesMadeStays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::found_traits_test

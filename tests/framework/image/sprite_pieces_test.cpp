@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::sprite_pieces_test {
 namespace {
 
 template <class T>
@@ -66,4 +66,4 @@ TEST(SpritePieces, polygons_that_show_the_image_evenly_are_sprites_and_no_quads)
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_pieces_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::cache_orderer_test {
 namespace {
 
 class LeavesTheOrder final : public CacheOrderer {
@@ -34,4 +34,4 @@ TEST(CacheOrderer, SaysThatWeldingHelpsWhereVerticesAreEqual) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cache_orderer_test

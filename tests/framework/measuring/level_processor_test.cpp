@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::level_processor_test {
 namespace {
 
 constexpr std::uint32_t side = 8;
@@ -149,4 +149,4 @@ TEST_F(LevelProcessorTest, WhatMakersAttachIsOfTheirSubjects) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::level_processor_test

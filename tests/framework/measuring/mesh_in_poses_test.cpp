@@ -11,7 +11,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::mesh_in_poses_test {
 namespace {
 
 using testing::BendingTube;
@@ -101,4 +101,4 @@ TEST(MeshInPoses, AreNoneWhereNothingIsFiniteOrLarge) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::mesh_in_poses_test

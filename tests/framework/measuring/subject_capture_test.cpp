@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::subject_capture_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -130,4 +130,4 @@ TEST(MayOverdraw, IsNotSoOfWhatIsConvexOrNearlySo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::subject_capture_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace foredraw {
+namespace foredraw::cluster_layers_test {
 namespace {
 
 using testing::part_of;
@@ -110,4 +110,4 @@ TEST(ClusterLayers, what_is_no_partition_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cluster_layers_test

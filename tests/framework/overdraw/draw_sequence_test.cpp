@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::overdraw_draw_sequence_test {
 namespace {
 
 std::vector<std::uint32_t> as_numbered(std::uint32_t parts) {
@@ -160,4 +160,4 @@ TEST(PartLists, HaveAPartOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_draw_sequence_test

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::fragment_layers_test {
 namespace {
 
 using testing::painted;
@@ -213,4 +213,4 @@ TEST(FragmentLayers, what_is_no_order_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::fragment_layers_test

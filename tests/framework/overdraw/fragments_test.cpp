@@ -13,7 +13,7 @@
 #include <map>
 #include <memory>
 
-namespace foredraw {
+namespace foredraw::fragments_test {
 namespace {
 
 using testing::part_of;
@@ -244,4 +244,4 @@ RC_GTEST_PROP(Rasteriser, a_closed_mesh_has_as_many_front_as_back_fragments_in_e
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::fragments_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::heat_map_test {
 namespace {
 
 using testing::part_of;
@@ -45,4 +45,4 @@ TEST(HeatMap, rows_begin_at_the_top) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::heat_map_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::k_sequences_test {
 namespace {
 
 using testing::TestMesh;
@@ -182,4 +182,4 @@ TEST(SubjectLayersInSequence, CountWhatDrawingCounts) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::k_sequences_test

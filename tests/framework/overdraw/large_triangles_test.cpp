@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace foredraw {
+namespace foredraw::large_triangles_test {
 namespace {
 
 /// A sliver along the first row: A = (0, 127), B = (width, 127), C = (width, 130). The doubled area is 3 * width, and
@@ -96,4 +96,4 @@ TEST(LargeTriangles, depths_that_just_reach_a_step_stay_there) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::large_triangles_test

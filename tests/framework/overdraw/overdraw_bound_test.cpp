@@ -11,17 +11,17 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::overdraw_bound_test {
 namespace {
 
 using testing::TestMesh;
 
 constexpr double rounding = 1e-6;  // what slivers at the poles, whose corners are rounded, may take
 
-RasterPart part_of(const TestMesh& mesh) { return {mesh.positions, mesh.indices}; }
+RasterPart raster_part(const TestMesh& mesh) { return {mesh.positions, mesh.indices}; }
 
 std::optional<double> bound(const TestMesh& mesh, double most = 100) {
-  const RasterPart part = part_of(mesh);
+  const RasterPart part = raster_part(mesh);
   return overdraw_bound({&part, 1}, most);
 }
 
@@ -31,7 +31,7 @@ void turn_round(TestMesh& mesh) {
 
 /// What the triangles overdraw in their own order, over many orthographic views.
 double measured(const TestMesh& mesh) {
-  const RasterPart part = part_of(mesh);
+  const RasterPart part = raster_part(mesh);
   OverdrawCount sum;
   ViewSet set;
   set.views = "fibonacci";
@@ -79,17 +79,17 @@ TEST(OverdrawBound, KnowsInsideFromOutside) {
   TestMesh hollow = testing::sphere(16, 8);
   turn_round(hollow);
   EXPECT_FALSE(bound(hollow));  // nothing of it is on the hull and faces outwards
-  RasterPart mirrored = part_of(hollow);
+  RasterPart mirrored = raster_part(hollow);
   mirrored.is_mirrored = true;
   EXPECT_NEAR(overdraw_bound({&mirrored, 1}, 2).value(), 1, rounding);
-  RasterPart both_sides = part_of(hollow);
+  RasterPart both_sides = raster_part(hollow);
   both_sides.culls_back_faces = false;
   EXPECT_NEAR(overdraw_bound({&both_sides, 1}, 3).value(), 2, 2 * rounding);  // its inner side may be drawn first
 }
 
 TEST(OverdrawBound, CountsNoSurfaceWithHolesAsOneThatHides) {
   const TestMesh ball = testing::sphere(16, 8);
-  RasterPart masked = part_of(ball);
+  RasterPart masked = raster_part(ball);
   masked.mask = std::make_shared<Mask>();
   EXPECT_FALSE(overdraw_bound({&masked, 1}, 100));
 }
@@ -116,4 +116,4 @@ TEST(OverdrawBound, DependsOnNoOrder) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_bound_test

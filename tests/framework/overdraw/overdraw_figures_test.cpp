@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::overdraw_figures_test {
 namespace {
 
 using testing::part_of;
@@ -135,4 +135,4 @@ TEST(OverdrawFigures, a_picture_is_worse_where_its_ratio_is_higher) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_figures_test

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::shading_counts_test {
 namespace {
 
 using testing::part_of;
@@ -80,4 +80,4 @@ TEST(OverdrawDetails, what_is_no_order_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::shading_counts_test

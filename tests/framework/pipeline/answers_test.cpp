@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::pipeline_answers_test {
 namespace {
 
 /// Why the framework does not take the table with two orders for each of its draws; empty: it takes it.
@@ -111,4 +111,4 @@ TEST(Answers, TablesMoveOnlyWhatMayMove) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::pipeline_answers_test

@@ -4,7 +4,7 @@
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/technique/built_in_plugins.h>
 
-namespace foredraw {
+namespace foredraw::canonical_test {
 namespace {
 
 class Canonical : public testing::InFolder {
@@ -69,4 +69,4 @@ TEST_F(Canonical, FilesAreThoseThatOptionsName) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::canonical_test

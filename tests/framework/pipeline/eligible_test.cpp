@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::eligible_test {
 namespace {
 
 struct Seals {
@@ -55,4 +55,4 @@ TEST(Eligible, DrawsThatAProductHoldsAreLeftAloneByItsName) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::eligible_test

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::load_pipeline_test {
 namespace {
 
 TEST(LoadPipeline, TakesALineAPresetOrAFile) {
@@ -54,4 +54,4 @@ TEST(LoadPipeline, SaysWhatItLookedFor) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::load_pipeline_test

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::measured_frames_test {
 namespace {
 
 /// The settings of the measures that the plan of this text has.
@@ -57,4 +57,4 @@ TEST(MeasuredFrames, AWrongPathIsAMistakeOfThePipeline) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::measured_frames_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::module_demand_test {
 namespace {
 
 TEST(ModuleDemand, IsAVendorAndAVersion) {
@@ -67,4 +67,4 @@ TEST(ModuleDemand, ThatIsNoneIsTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::module_demand_test

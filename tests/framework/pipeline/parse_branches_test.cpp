@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::parse_branches_test {
 namespace {
 
 std::string refused_branches(std::string_view text) {
@@ -67,4 +67,4 @@ TEST(ParseBranches, WhatIsWrongInThemIsTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::parse_branches_test

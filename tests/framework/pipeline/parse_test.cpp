@@ -6,7 +6,7 @@
 
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::parse_test {
 namespace {
 
 constexpr std::string_view props = R"toml(pipeline = 1
@@ -96,10 +96,11 @@ TEST(ParseFile, ReadsWhatIsSeenAsOne) {
 }
 
 TEST(ParseFile, ReadsHowGltfIsWritten) {
-  EXPECT_EQ(parsed("pipeline = 1\n").output, OutputChoice{});
-  EXPECT_EQ(
-      parsed("pipeline = 1\n[output]\ncompression = 'khr-meshopt'\ncorners = 'turn'\nlevels = 'msft-lod'\n").output,
-      (OutputChoice{"khr-meshopt", "turn", "msft-lod"}));
+  EXPECT_EQ(parsed("pipeline = 1\n").output, OutputSettings{});
+  EXPECT_EQ(parsed("pipeline = 1\n[output]\ncompression = 'khr-meshopt'\ncorners = 'turn'\nlevels = 'msft-lod'\n"
+                   "products = 'none'\n")
+                .output,
+            (OutputSettings{Compression::khr, true, LevelsAs::lod_nodes, false}));
   EXPECT_EQ(refused("pipeline = 1\n[output]\ncorners = 'cut'\n"),
             "p.toml:3:11: error: output: 'corners' is cut, but must be one of keep, turn\n");
   EXPECT_EQ(refused("pipeline = 1\n[output]\ncorner = 'turn'\n"),
@@ -274,4 +275,4 @@ TEST(ParseStages, GoesByTheNameItIsGiven) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::parse_test

@@ -1,3 +1,4 @@
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/pipeline/plan.h>
 
 #include "support/meshes.h"
@@ -7,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::plan_test {
 namespace {
 
 Registry registry() {
@@ -213,4 +214,4 @@ TEST(Plan, RefusesPosesThatCanNotBeMadeAndTellsOfThoseThatThereAreNot) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::plan_test

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::presets_test {
 namespace {
 
 TEST(Presets, AreThoseThatTheDocumentsName) {
@@ -60,4 +60,4 @@ TEST(Presets, DifferFromEachOther) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::presets_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::print_test {
 namespace {
 
 /// Names and texts as people never write them, but files may hold them.
@@ -102,10 +102,11 @@ Pipeline any_pipeline() {
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.angle = *rc::gen::inRange(10, 1000) / 7.0;
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.seed = *rc::gen::inRange<std::int64_t>(0, 1000);
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
-  pipeline.output.compression =
-      *rc::gen::element<std::string>("keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker");
-  pipeline.output.corners = *rc::gen::element<std::string>("keep", "turn");
-  pipeline.output.levels = *rc::gen::element<std::string>("keep", "msft-lod");
+  pipeline.output.compression = *rc::gen::element(Compression::keep, Compression::none, Compression::ext,
+                                                  Compression::khr, Compression::draco, Compression::draco_edgebreaker);
+  pipeline.output.turns_corners = *rc::gen::arbitrary<bool>();
+  pipeline.output.levels = *rc::gen::element(LevelsAs::extension, LevelsAs::lod_nodes);
+  pipeline.output.has_products = *rc::gen::arbitrary<bool>();
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();
   return pipeline;
 }
@@ -207,7 +208,7 @@ TEST(Print, ALineHoldsStagesAlone) {
   EXPECT_EQ(more([](Pipeline& p) { p.poses.rate = 30; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.subjects.subject = SubjectUnit::scene; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.frames.frames = 3; }), std::nullopt);
-  EXPECT_EQ(more([](Pipeline& p) { p.output.corners = "turn"; }), std::nullopt);
+  EXPECT_EQ(more([](Pipeline& p) { p.output.turns_corners = true; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.overdraw = Stage{.use = "x"}; }), std::nullopt);
 }
 
@@ -235,11 +236,11 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.poses.clips = "Walk"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.subjects.subject = SubjectUnit::mesh; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.frames.path = "around"; }));
-  EXPECT_FALSE(same_after([](Pipeline& p) { p.output.compression = "none"; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.output.compression = Compression::none; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.seed = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw.reset(); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw->use = "y"; }));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::print_test

@@ -3,7 +3,7 @@
 
 #include "runs_stages.h"
 
-namespace foredraw {
+namespace foredraw::runner_attachments_test {
 namespace {
 
 Film film_of(const std::string& name, std::size_t frames) {
@@ -139,4 +139,4 @@ TEST_F(RunnerAttachments, ThatBranchesHaveAlikeAreHeldOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::runner_attachments_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::runner_compare_test {
 namespace {
 
 class RunnerCompare : public testing::RunsStages {};
@@ -55,4 +55,4 @@ TEST_F(RunnerCompare, ComparingNoPlansGivesNoResults) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::runner_compare_test

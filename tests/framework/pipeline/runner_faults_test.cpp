@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::runner_faults_test {
 namespace {
 
 class RunnerFaults : public testing::RunsStages {};
@@ -87,4 +87,4 @@ TEST_F(RunnerFaults, OfAnEvaluatorAloneAreToldOfEachDraw) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::runner_faults_test

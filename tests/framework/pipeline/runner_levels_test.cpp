@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::runner_levels_test {
 namespace {
 
 Draw levels_of(const std::vector<testing::TestMesh>& meshes, const std::string& name) {
@@ -188,4 +188,4 @@ TEST_F(RunnerLevels, GivesTheSameAtAnyThreadCount) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::runner_levels_test

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::runner_test {
 namespace {
 
 class Runner : public testing::RunsStages {};
@@ -220,4 +220,4 @@ TEST_F(Runner, ReportsAsJson) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::runner_test

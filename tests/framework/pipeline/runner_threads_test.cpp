@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::runner_threads_test {
 namespace {
 
 class RunnerThreads : public testing::RunsStages {
@@ -95,4 +95,4 @@ TEST_F(RunnerThreads, OnePlanRunsTwiceAtOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::runner_threads_test

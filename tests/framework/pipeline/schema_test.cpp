@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::schema_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -122,4 +122,4 @@ TEST(Schema, IsWholeWithoutPlugins) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::schema_test

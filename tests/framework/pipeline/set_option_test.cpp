@@ -1,8 +1,9 @@
+#include <foredraw/pipeline/output_words.h>
 #include <foredraw/pipeline/parse.h>
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::set_option_test {
 namespace {
 
 Pipeline example() {
@@ -53,9 +54,33 @@ TEST(SetOption, SetsHowGltfIsWritten) {
   Pipeline pipeline = example();
   Diagnostics diagnostics;
   EXPECT_TRUE(set_option(pipeline, "output.compression=khr-meshopt", diagnostics));
-  EXPECT_EQ(pipeline.output.compression, "khr-meshopt");
+  EXPECT_EQ(pipeline.output.compression, Compression::khr);
   EXPECT_FALSE(set_option(pipeline, "output.compression=zip", diagnostics));
   EXPECT_FALSE(set_option(pipeline, "output.size=1", diagnostics));
+}
+
+TEST(SetOutput, ALineSetsWhatSetOptionSetsAndRefusesItInTheSameWords) {
+  Pipeline pipeline = example();
+  Diagnostics refused;
+  for (const char* assignment : {"output.compression=draco", "output.corners=turn", "output.products=none"}) {
+    EXPECT_TRUE(set_option(pipeline, assignment, refused));
+  }
+  OutputSettings output;
+  Diagnostics diagnostics;
+  EXPECT_TRUE(set_output(output, "compression=draco, corners = \"turn\", products=none", "settings", diagnostics));
+  EXPECT_EQ(output, pipeline.output);
+  EXPECT_EQ(words_of(output), (Settings{{"compression", "draco"}, {"corners", "turn"}, {"products", "none"}}));
+  EXPECT_TRUE(set_output(output, " ", "settings", diagnostics)) << "none is set";
+  for (const char* wrong : {"compression=zip", "size=1"}) {
+    EXPECT_FALSE(set_option(pipeline, std::string("output.") + wrong, refused));
+    EXPECT_FALSE(set_output(output, wrong, "settings", diagnostics));
+    EXPECT_EQ(diagnostics.all().back().code, refused.all().back().code);
+    EXPECT_EQ(diagnostics.all().back().message, refused.all().back().message);
+    EXPECT_EQ(diagnostics.all().back().hint, refused.all().back().hint);
+  }
+  EXPECT_FALSE(set_output(output, "compression=none corners=turn", "settings", diagnostics));
+  EXPECT_EQ(diagnostics.all().back().code, "syntax");
+  EXPECT_EQ(output, pipeline.output) << "what is refused changes nothing";
 }
 
 TEST(SetOption, TakesNumbersWithoutTheirZero) {
@@ -133,4 +158,4 @@ TEST(SetOption, DoesNotTurnAStageIntoAnother) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::set_option_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::stage_order_test {
 namespace {
 
 /// A sorter, a cutter of its order, two who sort what was cut or may be, and one who puts vertices in order at last.
@@ -94,4 +94,4 @@ TEST(WayTo, EndsWhereCardsNeedEachOther) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::stage_order_test

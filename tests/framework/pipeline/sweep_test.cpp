@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::sweep_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -121,4 +121,4 @@ TEST_F(Swept, KnowsWhenItIsTooMuch) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sweep_test

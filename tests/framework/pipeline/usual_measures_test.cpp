@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::usual_measures_test {
 namespace {
 
 using Uses = std::vector<std::string>;
@@ -44,4 +44,4 @@ TEST(UsualMeasures, AreThoseOfTheDefaultWhereACardNamesNone) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::usual_measures_test

@@ -7,7 +7,7 @@
 
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::file_facts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ TEST(ProgramStamp, IsTheSameWithinAProgram) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::file_facts_test

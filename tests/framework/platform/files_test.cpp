@@ -16,7 +16,7 @@
 #include <thread>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -308,4 +308,4 @@ TEST_F(Files, PipesAreWrittenToAsTheyStand) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::files_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::platform_memory_test {
 namespace {
 
 /// Memory that is there: every page of it is touched.
@@ -30,4 +30,4 @@ TEST(MemoryWatch, TellsWhatWasHeldAtMostSinceItBegan) {
 TEST(MachineText, SaysSomething) { EXPECT_NE(machine_text().find("processor"), std::string::npos); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::platform_memory_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::attachments_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -87,4 +87,4 @@ TEST(Attachments, AreOfNoSumOfFiles) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::attachments_test

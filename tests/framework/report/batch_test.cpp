@@ -9,7 +9,7 @@
 #include <set>
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::batch_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -224,4 +224,4 @@ TEST(Shards, AreNumbersFromOneOn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::batch_test

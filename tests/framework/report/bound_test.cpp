@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::bound_test {
 namespace {
 
 std::optional<Bound> parsed(const std::string& text) {
@@ -162,4 +162,4 @@ TEST(StoredFigures, WhatCanNotBeReadIsRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::bound_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace foredraw {
+namespace foredraw::comparison_test {
 namespace {
 
 using nlohmann::json;
@@ -312,4 +312,4 @@ TEST(ComparisonJson, NothingComparedIsNoFiles) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::comparison_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::inspection_test {
 namespace {
 
 TEST(Inspection, TellsOfLevels) {
@@ -37,4 +37,4 @@ TEST(Inspection, OneThingIsSingular) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::inspection_test

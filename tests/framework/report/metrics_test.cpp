@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::metrics_test {
 namespace {
 
 TEST(Metrics, RatiosAddUpAsSumOverSum) {
@@ -138,4 +138,4 @@ TEST_F(FigureOf, WhatTheCardDoesNotNameHasNoUnit) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::metrics_test

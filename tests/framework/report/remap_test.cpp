@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::remap_test {
 namespace {
 
 using nlohmann::json;
@@ -68,4 +68,4 @@ TEST(RemapJson, NamesThatAreNoUtf8StillMakeJson) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::remap_test

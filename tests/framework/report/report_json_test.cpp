@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::report_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -64,4 +64,4 @@ TEST(ReportJson, OfManyDrawsComesInPieces) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::report_json_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::report_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -195,4 +195,4 @@ TEST(ReportText, OddFactsAreSummedOverTheDraws) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::report_text_test

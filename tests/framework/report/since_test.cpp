@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::since_test {
 namespace {
 
 Metrics metrics(double acmr, double atvr = 1, double triangles = 100) {
@@ -92,4 +92,4 @@ TEST(Since, TablesForPeopleEnd) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::since_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::table_test {
 namespace {
 
 TEST(Table, ColumnsAreAsWideAsTheirWidestCell) {
@@ -41,4 +41,4 @@ TEST(Table, CountsCharactersAndNotBytes) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::table_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::clusters_test {
 namespace {
 
 TEST(Clusters, PartitionStartsAtZeroEndsAtTheCountAndGrows) {
@@ -36,4 +36,4 @@ TEST(Clusters, in_sequence_keep_their_triangles_together) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::clusters_test

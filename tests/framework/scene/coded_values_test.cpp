@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::coded_values_test {
 namespace {
 
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -107,4 +107,4 @@ TEST(CodedValues, a_float_is_a_multiple_of_a_power_of_two) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::coded_values_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::scene_levels_test {
 namespace {
 
 Draw three_levels() {
@@ -63,4 +63,4 @@ TEST(Levels, NamesTellTheLevelBeyondFullDetail) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::scene_levels_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::moves_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -88,4 +88,4 @@ TEST(Moves, OfAFirstRangeCountWhatIsStillInFront) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::moves_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::part_groups_test {
 namespace {
 
 using Sequence = std::vector<std::uint32_t>;
@@ -128,4 +128,4 @@ TEST(PartGroups, are_put_into_sequence_without_a_new_number) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::part_groups_test

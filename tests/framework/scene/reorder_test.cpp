@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace foredraw {
+namespace foredraw::reorder_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -211,4 +211,4 @@ TEST(Reorder, OrderBetweenIsFoundWhateverCornersTurn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::reorder_test

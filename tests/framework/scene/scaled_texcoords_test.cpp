@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::scaled_texcoords_test {
 namespace {
 
 constexpr ScaledTexcoords by_256 = {.set = 1, .offset = {-0.5, 0.25}, .scale = {0x1p-8, 0x1p-7}};
@@ -92,4 +92,4 @@ TEST(ScaledTexcoords, AreSoManyWidthsOfATexture) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::scaled_texcoords_test

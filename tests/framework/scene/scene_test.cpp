@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace foredraw {
+namespace foredraw::scene_test {
 namespace {
 
 glm::vec3 at(const glm::mat4& transform, glm::vec3 point) { return glm::vec3(transform * glm::vec4(point, 1)); }
@@ -80,4 +80,4 @@ TEST(Scene, MaterialOfDraw) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::scene_test

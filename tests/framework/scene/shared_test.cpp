@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::shared_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -61,4 +61,4 @@ TEST(Shared, ManyThreadsAskForOneStamp) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::shared_test

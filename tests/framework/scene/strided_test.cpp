@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::strided_test {
 namespace {
 
 TEST(Strided, ReadsAtAnyStrideAndAlignment) {
@@ -49,4 +49,4 @@ TEST(Strided, WhatIsASpanIsOneWithoutGaps) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::strided_test

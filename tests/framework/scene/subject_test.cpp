@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::subject_test {
 namespace {
 
 /// Meshes named "a", "b", ... with one draw each, and nodes to be filled in.
@@ -164,4 +164,4 @@ TEST(Subjects, the_root_joint_names_a_character_wherever_it_is_listed) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::subject_test

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
-
-namespace foredraw {
+namespace foredraw::traits_test {
 namespace {
 
 TEST(Traits, AddAndRemove) {
@@ -43,23 +40,5 @@ TEST(Traits, AreInNameOrder) {
   EXPECT_EQ(std::vector<std::string>(traits.begin(), traits.end()), (std::vector<std::string>{"a", "b", "c"}));
 }
 
-TEST(Traits, EveryKnownOneHasAMeaningAndANameOfItsOwn) {
-  Traits seen;
-  for (const TraitRow& row : known_traits()) {
-    EXPECT_FALSE(seen.has(row.name)) << row.name;
-    seen.add(row.name);
-    EXPECT_FALSE(row.meaning.empty()) << row.name;
-    EXPECT_TRUE(std::all_of(row.name.begin(), row.name.end(), [](unsigned char c) {
-      return std::islower(c) || std::isdigit(c) || c == '-';
-    })) << row.name;
-  }
-  for (const Trait trait :
-       {traits::triangles, traits::uv0, traits::normals, traits::skinned, traits::morphed, traits::animated,
-        traits::blended, traits::masked, traits::double_sided, traits::instanced, traits::quantized, traits::extended,
-        traits::welded, traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered}) {
-    EXPECT_TRUE(seen.has(trait)) << trait;
-  }
-}
-
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::traits_test

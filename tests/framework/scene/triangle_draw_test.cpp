@@ -7,7 +7,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::triangle_draw_test {
 namespace {
 
 TEST(TriangleDraw, HoldsWhatItIsGiven) {
@@ -35,4 +35,4 @@ TEST(TriangleDraw, RefusesWhatDoesNotFitTogether) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::triangle_draw_test

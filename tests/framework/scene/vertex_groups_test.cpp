@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::vertex_groups_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -73,4 +73,4 @@ TEST(VertexGroups, MoveVerticesMovesForAllOfThem) {
 TEST(VertexGroups, EmptySceneHasNone) { EXPECT_TRUE(vertex_groups({}).empty()); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_groups_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::vertex_streams_test {
 namespace {
 
 /// A stream of one-component elements.
@@ -131,4 +131,4 @@ TEST(VertexStreams, StampTellsMorphTargetsApart) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_streams_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::attachment_test {
 namespace {
 
 Film film(std::size_t frames = 2) {
@@ -101,4 +101,4 @@ TEST(Attachment, OfOneNameIsAttachedOnceToOneThing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::attachment_test

@@ -1,9 +1,9 @@
+#include <foredraw/measuring/view_options.h>
 #include <foredraw/technique/options.h>
-#include <foredraw/technique/view_options.h>
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::options_test {
 namespace {
 
 enum class Shape { round, square };
@@ -207,4 +207,4 @@ TEST(ViewRows, DefaultsAreTheViewSetsOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::options_test

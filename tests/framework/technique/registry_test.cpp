@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::registry_test {
 namespace {
 
 Plugin named(std::string name) {
@@ -124,4 +124,4 @@ TEST(Registry, SaysWhyAPluginIsNotThere) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::registry_test

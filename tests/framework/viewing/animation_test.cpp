@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace foredraw {
+namespace foredraw::viewing_animation_test {
 namespace {
 
 using Floats = std::vector<float>;
@@ -141,4 +141,4 @@ TEST(Animation, quantised_rotations_do_not_scale) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::viewing_animation_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::bounding_sphere_test {
 namespace {
 
 TEST(BoundingSphere, holds_what_is_drawn_and_finite) {
@@ -42,4 +42,4 @@ TEST(BoundingSphere, the_largest_floats_do_not_overflow) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::bounding_sphere_test

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace foredraw {
+namespace foredraw::coverage_test {
 namespace {
 
 Corner random_corner(int most) {
@@ -46,4 +46,4 @@ RC_GTEST_PROP(Coverage, is_exact, ()) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::coverage_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::distinct_poses_test {
 namespace {
 
 /// A triangle that hangs below the joint of a skin, so that its node matters, and a clip that moves it from 0 to 1 and
@@ -66,4 +66,4 @@ TEST(DistinctPoses, one_pose_is_itself) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::distinct_poses_test

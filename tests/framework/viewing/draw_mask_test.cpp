@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace foredraw {
+namespace foredraw::draw_mask_test {
 namespace {
 
 VertexStream floats(std::string semantic, std::uint8_t components, const std::vector<float>& values) {
@@ -138,4 +138,4 @@ TEST(DrawMask, says_why_it_is_not_known_where_the_holes_are) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draw_mask_test

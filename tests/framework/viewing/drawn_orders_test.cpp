@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::drawn_orders_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -130,4 +130,4 @@ TEST(DrawnOrders, poses_that_are_drawn_in_other_orders_are_not_alike) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::drawn_orders_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::mask_test {
 namespace {
 
 TEST(MaskedTriangle, is_there_where_the_alpha_between_its_corners_reaches_the_cutoff) {
@@ -64,4 +64,4 @@ TEST(MaskedTriangle, does_not_depend_on_which_corner_comes_first) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::mask_test

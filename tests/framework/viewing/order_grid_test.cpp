@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::order_grid_test {
 namespace {
 
 TEST(OrderNodes, NameTheOrderOfTheNearestView) {
@@ -33,4 +33,4 @@ TEST(OrderNodes, AreKeyframesClipByClip) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::order_grid_test

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::order_lookup_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -225,4 +225,4 @@ TEST(OrderLookup, served_orders_are_those_that_the_table_names) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::order_lookup_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::pose_set_test {
 namespace {
 
 using Keys = std::vector<float>;
@@ -154,4 +154,4 @@ TEST(PoseSet, more_poses_than_anybody_draws_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::pose_set_test

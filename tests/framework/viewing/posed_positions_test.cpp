@@ -7,7 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec4.hpp>
 
-namespace foredraw {
+namespace foredraw::posed_positions_test {
 namespace {
 
 using Positions = std::vector<glm::vec3>;
@@ -136,4 +136,4 @@ TEST(PosedPositions, are_none_without_a_position_stream) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::posed_positions_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::shared_views_test {
 namespace {
 
 TEST(SharedViews, GiveEveryViewAndEveryPoseAsMany) {
@@ -49,4 +49,4 @@ TEST(SharedViews, ThoseOfAPoseLieFarFromEachOther) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::shared_views_test

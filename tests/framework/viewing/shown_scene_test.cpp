@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::shown_scene_test {
 namespace {
 
 Image high(std::uint32_t size) {
@@ -42,4 +42,4 @@ TEST(ShownScene, IsNoneWhereNothingMoves) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::shown_scene_test

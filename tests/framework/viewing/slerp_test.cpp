@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::slerp_test {
 namespace {
 
 glm::dquat any_rotation(Random& random) {
@@ -72,4 +72,4 @@ TEST(Slerp, opposite_and_equal_ends_stay_where_they_are) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::slerp_test

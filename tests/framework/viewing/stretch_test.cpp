@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace foredraw {
+namespace foredraw::stretch_test {
 namespace {
 
 double stretch(const Scene& scene, std::optional<NodeId> node) {
@@ -45,4 +45,4 @@ TEST(MostStretch, of_a_skin_is_that_of_the_joint_that_stretches_most) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::stretch_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::subject_geometry_test {
 namespace {
 
 using testing::TestMesh;
@@ -124,4 +124,4 @@ TEST(SubjectGeometry, ShowsWhatIsStoredWhereItIsAskedForOrTheMapCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::subject_geometry_test

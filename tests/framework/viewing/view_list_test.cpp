@@ -11,7 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::view_list_test {
 namespace {
 
 /// A file of this text, for as long as the test runs.
@@ -84,4 +84,4 @@ TEST_F(ViewList, a_file_that_is_not_there_is_told) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::view_list_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::view_set_test {
 namespace {
 
 ViewSet view_set(std::string views, std::optional<int> count = {}) {
@@ -200,4 +200,4 @@ TEST(ViewSphere, mistakes_are_told) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::view_set_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::lod_nodes_test {
 namespace {
 
 using testing::Ended;
@@ -132,4 +132,4 @@ TEST_F(LodNodes, ThatSayTheImpossibleGoThroughEachPreset) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_nodes_test

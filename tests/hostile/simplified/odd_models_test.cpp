@@ -15,7 +15,7 @@
 #include <cmath>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::odd_models_test {
 namespace {
 
 using testing::Ended;
@@ -214,4 +214,4 @@ TEST_F(OddModels, OfIndicesOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::odd_models_test

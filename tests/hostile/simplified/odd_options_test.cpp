@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::odd_options_test {
 namespace {
 
 using testing::Ended;
@@ -111,4 +111,4 @@ TEST_F(OddOptions, ThreadsMayBeManyMoreThanTriangles) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::odd_options_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace foredraw {
+namespace foredraw::linear_clusters_test {
 namespace {
 
 using testing::TestMesh;
@@ -73,4 +73,4 @@ RC_GTEST_PROP(LinearClusters, AnswersWithAPartitionOfAnyTriangles, ()) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::linear_clusters_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::animated_kmeans_test {
 namespace {
 
 using testing::TestMesh;
@@ -232,4 +232,4 @@ TEST(AnimatedKMeans, IsTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::animated_kmeans_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::codec_order_test {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -81,4 +81,4 @@ TEST(CodecOrder, AStarAndABookTakeNoLongerThanTheirSize) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::codec_order_test

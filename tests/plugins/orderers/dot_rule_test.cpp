@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::dot_rule_test {
 namespace {
 
 using testing::TestMesh;
@@ -67,4 +67,4 @@ TEST(DotRule, ReadsAnInterleavedBuffer) {
 TEST(DotRule, OfNothingIsNothing) { EXPECT_TRUE(dot_rule({}, {}, {{0}}).empty()); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::dot_rule_test

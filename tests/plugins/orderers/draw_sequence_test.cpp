@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::draw_sequence_test {
 namespace {
 
 using namespace testing;
@@ -257,4 +257,4 @@ TEST(JudgedSequence, OfEightDrawsIsTheBestOfAll) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draw_sequence_test

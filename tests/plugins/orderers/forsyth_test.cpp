@@ -11,7 +11,7 @@
 
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::forsyth_test {
 namespace {
 
 using testing::TestMesh;
@@ -94,4 +94,4 @@ TEST(Forsyth, WorksInLentMemory) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::forsyth_test

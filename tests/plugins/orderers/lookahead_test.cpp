@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::lookahead_test {
 namespace {
 
 using testing::TestMesh;
@@ -284,4 +284,4 @@ TEST(Lookahead, HoldsSixtyBytesATriangle) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lookahead_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::occlusion_order_atoms_test {
 namespace {
 
 using testing::for_the_cache;
@@ -71,4 +71,4 @@ TEST(Atoms, KnowWhatCuttingThemOffCosts) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::occlusion_order_atoms_test

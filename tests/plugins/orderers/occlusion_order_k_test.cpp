@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace foredraw {
+namespace foredraw::occlusion_order_k_test {
 namespace {
 
 using testing::rings;
@@ -145,4 +145,4 @@ TEST(KOrders, OfASubjectThatNobodySeesAreAsItCame) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::occlusion_order_k_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::occlusion_order_search_test {
 namespace {
 
 using testing::cost_of;
@@ -141,4 +141,4 @@ TEST(PieceOrder, KnowsWhatJoiningCosts) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::occlusion_order_search_test

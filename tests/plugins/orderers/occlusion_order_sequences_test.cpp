@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::occlusion_order_sequences_test {
 namespace {
 
 using namespace testing;
@@ -137,4 +137,4 @@ TEST(OcclusionOrderSequences, AreTheSameBytesAtAnyThreadCount) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::occlusion_order_sequences_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::occlusion_order_test {
 namespace {
 
 using testing::is_permutation_of;
@@ -105,4 +105,4 @@ TEST(OcclusionOrder, LeavesLessOfAtomsOfOneTriangleWithinTheSameBudget) {
 TEST(OcclusionOrder, OfNothingIsNothing) { EXPECT_TRUE(occlusion_order({{}, 0, {{0}}}, {}).empty()); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::occlusion_order_test

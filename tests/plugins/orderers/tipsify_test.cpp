@@ -15,7 +15,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::tipsify_test {
 namespace {
 
 using testing::TestMesh;
@@ -277,4 +277,4 @@ TEST(TipsifyParts, TakeAnyPositions) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tipsify_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::vertex_fetch_test {
 namespace {
 
 TEST(VertexFetch, NumbersByFirstUseOverAllStreams) {
@@ -47,4 +47,4 @@ TEST(VertexFetch, BringsOverfetchNearToOne) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_fetch_test

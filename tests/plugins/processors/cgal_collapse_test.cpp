@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::cgal_collapse_test {
 namespace {
 
 using testing::TestMesh;
@@ -59,4 +59,4 @@ TEST(CgalCollapse, StopsWhereItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cgal_collapse_test

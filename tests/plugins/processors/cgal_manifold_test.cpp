@@ -19,7 +19,7 @@
 #include <map>
 #include <ostream>
 
-namespace foredraw {
+namespace foredraw::cgal_manifold_test {
 namespace {
 
 namespace cgal_meshes = CGAL::Polygon_mesh_processing;
@@ -179,4 +179,4 @@ TEST(QuadricCollapse, CgalFindsClosedManifoldsClosedManifolds) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cgal_manifold_test

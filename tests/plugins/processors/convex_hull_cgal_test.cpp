@@ -13,11 +13,12 @@
 #include <iterator>
 #include <ostream>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 // What GoogleTest shows of a point where two differ.
 void PrintTo(const Point& point, std::ostream* out) { *out << '(' << point.x << ", " << point.y << ')'; }
 
+namespace convex_hull_cgal_test {
 namespace {
 
 /// Counter-clockwise with y up, which is clockwise on a screen; from the same corner on as ours.
@@ -112,4 +113,5 @@ TEST(ConvexHull, of_nothing_and_of_one_point_is_the_same) {
 }
 
 }  // namespace
-}  // namespace foredraw::trim
+}  // namespace convex_hull_cgal_test
+}  // namespace foredraw::processors::particle_trim

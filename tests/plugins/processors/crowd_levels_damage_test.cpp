@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::crowd_levels_damage_test {
 namespace {
 
 using testing::GltfJson;
@@ -133,4 +133,4 @@ TEST(CrowdLevels, WithOtherRowsInOneCrowdAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_levels_damage_test

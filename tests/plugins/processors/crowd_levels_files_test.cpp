@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::crowd_levels_files_test {
 namespace {
 
 using testing::crowd_levels_of;
@@ -125,4 +125,4 @@ TEST_F(CrowdLevelsFiles, TheJsonSaysHowFarLevelsReach) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_levels_files_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::crowd_levels_test {
 namespace {
 
 using testing::crowd_levels_of;
@@ -233,4 +233,4 @@ TEST(CrowdLevels, IsTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_levels_test

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::displacement_bake_test {
 namespace {
 
 /// A sphere of about 16,000 triangles with waves.
@@ -220,7 +220,7 @@ TEST(DisplacementBake, OfASurfaceThatLooksTheOtherWayIsAsNear) {
   std::vector<double> rms;
   for (const testing::TestMesh& mesh : {outside, inside}) {
     const Surface surface{mesh.positions, mesh.indices};
-    const bake::Target target(surface);
+    const processors::displacement_bake::Target target(surface);
     const BakedCage baked = bake_heights({cage.positions, cage.indices, cage.positions}, target, surface,
                                          {.rms = 0.001, .finest = 8, .samples = 5000}, Executor(2));
     rms.push_back(baked.rms);
@@ -238,7 +238,7 @@ TEST(CastHeights, MeetTheNearerSideThatLooksTheSameWay) {
     for (const glm::vec2& at : {glm::vec2(-9, -9), glm::vec2(9, -9), glm::vec2(0, 9)}) positions.emplace_back(at, z);
     for (const std::uint32_t corner : {0u, up ? 1u : 2u, up ? 2u : 1u}) indices.push_back(first + corner);
   }
-  const bake::Target target({positions, indices});
+  const processors::displacement_bake::Target target({positions, indices});
   EXPECT_NEAR(target.height_from({0, 0, 0}, {0, 0, 1}), -0.2, 1e-6);
   EXPECT_NEAR(target.height_from({0, 0, 0.2}, {0, 0, 1}), 0.1, 1e-6);
   EXPECT_EQ(target.height_from({0, 0, 0.3f}, {0, 0, 1}), 0) << "right here";
@@ -253,18 +253,18 @@ TEST(CastHeights, GoToTheNearestPointAndNotThroughHoles) {
       positions.emplace_back(z == 0 ? at : 2.0f * at - glm::vec2(9, 0), z);
   }
   const std::vector<std::uint32_t> indices = {0, 1, 2, 3, 4, 5};
-  const bake::Target target({positions, indices});
+  const processors::displacement_bake::Target target({positions, indices});
   EXPECT_NEAR(target.height_from({0, 0, 0.2}, {0, 0, 1}), -0.2, 1e-6);
 }
 
 TEST(CastHeights, OfNothingAndOfNoPlaceAreZero) {
-  EXPECT_EQ(bake::Target({{}, {}}).height_from({0, 0, 0}, {0, 0, 1}), 0);
+  EXPECT_EQ(processors::displacement_bake::Target({{}, {}}).height_from({0, 0, 0}, {0, 0, 1}), 0);
   const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<std::uint32_t> indices = {0, 1, 2};
-  const bake::Target target({positions, indices});
+  const processors::displacement_bake::Target target({positions, indices});
   EXPECT_EQ(target.height_from({INFINITY, 0, 0}, {0, 0, 1}), 0);
   EXPECT_EQ(target.height_from({0, NAN, 0}, {0, 0, 1}), 0);
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_bake_test

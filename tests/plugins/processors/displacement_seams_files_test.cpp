@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::displacement_seams_files_test {
 namespace {
 
 using namespace testing;
@@ -105,4 +105,4 @@ TEST(SeamHeights, AreStoredOnceForDrawsOfOneMap) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_seams_files_test

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::displacement_seams_gutter_test {
 namespace {
 
 using namespace testing;
@@ -102,4 +102,4 @@ TEST(Gutter, IsFilledWhereTheStageIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_seams_gutter_test

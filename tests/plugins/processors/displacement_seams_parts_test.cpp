@@ -8,7 +8,7 @@
 
 #include <numeric>
 
-namespace foredraw::seams {
+namespace foredraw::processors::displacement_seams::displacement_seams_parts_test {
 namespace {
 
 using testing::Map;
@@ -199,4 +199,4 @@ TEST(IntegerHeights, SettleByFewSingleStepsAndLetGoOfWhatIsReleased) {
 }
 
 }  // namespace
-}  // namespace foredraw::seams
+}  // namespace foredraw::processors::displacement_seams::displacement_seams_parts_test

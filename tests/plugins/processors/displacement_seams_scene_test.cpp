@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::displacement_seams_scene_test {
 namespace {
 
 using namespace testing;
@@ -153,4 +153,4 @@ TEST(DisplacementSeamsStage, LeavesOutMapsThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_seams_scene_test

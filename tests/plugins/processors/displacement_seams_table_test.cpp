@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::displacement_seams_table_test {
 namespace {
 
 using namespace testing;
@@ -107,4 +107,4 @@ TEST(SeamTable, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_seams_table_test

@@ -12,7 +12,7 @@
 #include <set>
 #include <thread>
 
-namespace foredraw {
+namespace foredraw::displacement_seams_test {
 namespace {
 
 using namespace testing;
@@ -325,4 +325,4 @@ TEST(DisplacementSeams, OfModelsWithNoiseAreEqual) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_seams_test

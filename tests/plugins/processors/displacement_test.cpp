@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::displacement_test {
 namespace {
 
 Image flat() {
@@ -164,4 +164,4 @@ TEST(Displacement, OfAMapLiesWhereItWouldInTheFile) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_test

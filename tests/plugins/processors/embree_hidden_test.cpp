@@ -14,7 +14,7 @@
 #include <cmath>
 #include <memory>
 
-namespace foredraw {
+namespace foredraw::embree_hidden_test {
 namespace {
 
 /// Every triangle blocks from both sides.
@@ -66,7 +66,7 @@ struct Asked {
 Asked ask(const std::vector<glm::vec3>& positions, std::span<const std::uint32_t> indices) {
   const OpaqueOrNot draw[] = {{positions, indices, true}};
   HiddenOptions options;
-  options.unit = hidden::Unit::triangle;
+  options.unit = processors::hidden::Unit::triangle;
   options.views = 162;
   options.size = 256;
   options.checks = 100;
@@ -118,4 +118,4 @@ TEST(HiddenByEmbree, HardlyAnyRayGetsOutOfAHead) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::embree_hidden_test

@@ -20,7 +20,7 @@
 #include <numeric>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::geomorphs_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -263,4 +263,4 @@ INSTANTIATE_TEST_SUITE_P(Placements, GeomorphsTest,
                          ::testing::Values(CollapsePlacement::optimal, CollapsePlacement::endpoint));
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::geomorphs_test

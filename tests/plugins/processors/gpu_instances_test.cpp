@@ -1,6 +1,6 @@
 #include "plugins/processors/gpu_instances/gpu_instances.h"
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include "plugins/processors/gpu_instances/instance_transform.h"
 #include "support/edit_product.h"
@@ -14,7 +14,7 @@
 #include <array>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::gpu_instances_test {
 namespace {
 
 Transform at(float x, float y = 0, float z = 0) { return {.translation = {x, y, z}}; }
@@ -252,4 +252,4 @@ TEST(GpuInstances, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gpu_instances_test

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::hidden_cameras_test {
 namespace {
 
-using hidden::SeenFrom;
+using processors::hidden::SeenFrom;
 using namespace testing;
 
 /// A box within walls: the room's inside faces who is in it.
@@ -45,7 +45,7 @@ TEST(HiddenCameras, SeeWhatTheyMayComeTo) {
 }
 
 TEST(HiddenCameras, RaysEndAtWhatIsNearest) {
-  hidden::Sight sight;
+  processors::hidden::Sight sight;
   const TestMesh near = grid(1, 1);
   TestMesh far = near;
   for (glm::vec3& p : far.positions) p.z = -0.1f;
@@ -55,15 +55,15 @@ TEST(HiddenCameras, RaysEndAtWhatIsNearest) {
   glm::dmat4 camera(0);
   camera[3] = {0.5, 0.5, 1000, 1};
   sight.cameras.boxes = {camera};
-  hidden::Flags seen(4, 0);
-  hidden::Rays(sight).add_seen({0, 16, 1}, hidden::Flags(4, 1), seen, Executor(1));
-  EXPECT_EQ(seen, (hidden::Flags{1, 1, 0, 0})) << "what lies behind does not hide";
+  processors::hidden::Flags seen(4, 0);
+  processors::hidden::Rays(sight).add_seen({0, 16, 1}, processors::hidden::Flags(4, 1), seen, Executor(1));
+  EXPECT_EQ(seen, (processors::hidden::Flags{1, 1, 0, 0})) << "what lies behind does not hide";
 }
 
 TEST(HiddenCameras, PicturesShowAllSidesOfWhoIsInside) {
   const TestMesh walls = testing::turned(sphere(16, 9));
   const std::size_t count = walls.indices.size() / 3;
-  hidden::Sight sight;
+  processors::hidden::Sight sight;
   sight.parts = {{walls.positions, walls.indices}};
   sight.hides = {1};
   for (std::uint32_t t = 0; t < count; ++t) sight.triangles.push_back(t);
@@ -71,8 +71,9 @@ TEST(HiddenCameras, PicturesShowAllSidesOfWhoIsInside) {
   camera[3].w = 1;
   sight.cameras.boxes = {camera};
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    hidden::Flags seen(count, 0);
-    hidden::Rays(sight).add_seen_around(1, 64, seed, hidden::Flags(count, 1), seen, Executor(1));
+    processors::hidden::Flags seen(count, 0);
+    processors::hidden::Rays(sight).add_seen_around(1, 64, seed, processors::hidden::Flags(count, 1), seen,
+                                                    Executor(1));
     EXPECT_EQ(std::ranges::count(seen, 1), 2 * 16 * (9 - 1)) << "at the poles half of them cover nothing; " << seed;
   }
 }
@@ -116,4 +117,4 @@ TEST(HiddenCameras, FromAboveNobodyLooksUnder) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_cameras_test

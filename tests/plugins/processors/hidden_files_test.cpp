@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::hidden_files_test {
 namespace {
 
 Scene read_again(const Scene& scene) {
@@ -73,4 +73,4 @@ TEST(HiddenFiles, NobodyCutsWithoutSayingWhereCamerasAre) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_files_test

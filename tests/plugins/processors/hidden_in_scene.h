@@ -9,7 +9,7 @@
 
 namespace foredraw::testing {
 
-using hidden::HiddenSearchOptions;
+using processors::hidden::HiddenSearchOptions;
 
 inline HiddenSearchOptions searched() {
   HiddenSearchOptions options;
@@ -23,11 +23,11 @@ inline HiddenSearchOptions searched() {
 /// [draw] how many of its triangles are hidden, where it may be asked at all.
 inline std::vector<std::size_t> hidden_of(const Scene& scene, const HiddenSearchOptions& options = searched()) {
   std::vector<DrawId> asked;
-  const std::vector<std::string> why = hidden::why_they_stay(scene, options.subjects);
+  const std::vector<std::string> why = processors::hidden::why_they_stay(scene, options.subjects);
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     if (why[id].empty()) asked.push_back(id);
   }
-  const auto found = hidden::find_hidden(
+  const auto found = processors::hidden::find_hidden(
       scene, asked, options, [] {}, Executor(2));
   std::vector<std::size_t> counts(scene.draws.size(), 0);
   for (const auto& [id, flags] : found.hidden) counts[id] = static_cast<std::size_t>(std::ranges::count(flags, 1));

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::hidden_scene_test {
 namespace {
 
-using hidden::Moving;
+using processors::hidden::Moving;
 using namespace testing;
 
 TEST(HiddenScene, DrawsOfAMeshHideEachOther) { EXPECT_EQ(hidden_of(one_mesh({box(), box(0.5f)})), inner_goes); }
@@ -169,8 +169,8 @@ TEST(HiddenScene, PartsOfACharacterHideWhatFollowsTheSameJointAlone) {
     }
     scene.draws[by_turns].full().vertices = std::make_shared<const VertexStreams>(streams);
     EXPECT_EQ(hidden_of(scene), all_stay);
-    const auto bodies = hidden::bodies_of(scene, {by_turns, 0}, hidden::carriers(scene));
-    EXPECT_EQ(std::ranges::count(bodies, hidden::bends), 8);  // not the four at -X and +X
+    const auto bodies = processors::hidden::bodies_of(scene, {by_turns, 0}, processors::hidden::carriers(scene));
+    EXPECT_EQ(std::ranges::count(bodies, processors::hidden::bends), 8);  // not the four at -X and +X
   }
 }
 
@@ -188,11 +188,11 @@ TEST(HiddenScene, WithClipsACharacterIsSeenInAllKeys) {
 TEST(HiddenScene, TheSameAtAnyThreadCount) {
   const Scene scene = one_mesh({testing::soup(400, 1), box(0.2f, glm::vec3(0.5f))});
   HiddenSearchOptions options = searched();
-  options.unit = hidden::Unit::triangle;
+  options.unit = processors::hidden::Unit::triangle;
   const DrawId asked[] = {0, 1};
-  const auto one = hidden::find_hidden(
+  const auto one = processors::hidden::find_hidden(
       scene, asked, options, [] {}, Executor(1));
-  const auto four = hidden::find_hidden(
+  const auto four = processors::hidden::find_hidden(
       scene, asked, options, [] {}, Executor(4));
   EXPECT_EQ(one.hidden, four.hidden);
   EXPECT_EQ(one.last_check.shown, four.last_check.shown);
@@ -201,10 +201,10 @@ TEST(HiddenScene, TheSameAtAnyThreadCount) {
 TEST(HiddenScene, ACallerMayEndIt) {
   const Scene scene = one_mesh({box(), box(0.5f)});
   const DrawId asked[] = {0, 1};
-  EXPECT_THROW(hidden::find_hidden(
+  EXPECT_THROW(processors::hidden::find_hidden(
                    scene, asked, searched(), [] { throw std::runtime_error("cancelled"); }, Executor(2)),
                std::runtime_error);
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_scene_test

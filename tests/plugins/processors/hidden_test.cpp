@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::hidden_test {
 namespace {
 
-using hidden::Unit;
+using processors::hidden::Unit;
 using testing::box;
 using testing::TestMesh;
 
@@ -180,12 +180,13 @@ TEST(HiddenProof, NotWhatLooksSoToSamplesAlone) {
 
 /// Asked about everything, whether anybody sees it or not.
 std::size_t contained_in(const TestMesh& mesh) {
-  hidden::Sight sight;
+  processors::hidden::Sight sight;
   sight.parts = {{mesh.positions, mesh.indices}};
   sight.hides = {1};
   for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) sight.triangles.push_back(t);
-  const hidden::Connected connected(sight.parts);
-  const hidden::Flags proved = hidden::inside_closed(sight, connected, hidden::Flags(sight.triangles.size(), 1));
+  const processors::hidden::Connected connected(sight.parts);
+  const processors::hidden::Flags proved =
+      processors::hidden::inside_closed(sight, connected, processors::hidden::Flags(sight.triangles.size(), 1));
   return static_cast<std::size_t>(std::ranges::count(proved, 1));
 }
 
@@ -217,11 +218,11 @@ TEST(HiddenConnected, ComponentsAndRings) {
   TestMesh apart = mesh;
   for (std::size_t v = 20; v < apart.positions.size(); ++v) apart.positions[v].z = 1;
   const RasterPart parts[] = {{apart.positions, apart.indices}};
-  const hidden::Connected surface(parts);
+  const processors::hidden::Connected surface(parts);
   EXPECT_EQ(surface.components(), 2u);
-  hidden::Flags flags(26, 0);
+  processors::hidden::Flags flags(26, 0);
   flags[0] = 1;
-  const hidden::Flags whole = surface.with_components(flags);
+  const processors::hidden::Flags whole = surface.with_components(flags);
   EXPECT_EQ(std::ranges::count(whole, 1), 18);
   // Triangles zigzag along the strip.
   EXPECT_EQ(std::ranges::count(surface.with_rings(flags, 0), 1), 1);
@@ -232,21 +233,21 @@ TEST(HiddenConnected, ComponentsAndRings) {
   TestMesh right = testing::grid(1, 1);
   for (glm::vec3& p : right.positions) p.x += 1;
   const RasterPart two[] = {{left.positions, left.indices}, {right.positions, right.indices}};
-  EXPECT_EQ(hidden::Connected(two).components(), 1u);
+  EXPECT_EQ(processors::hidden::Connected(two).components(), 1u);
 }
 
 TEST(HiddenCut, KeepsPlacesAndNumbers) {
   Draw draw = testing::draw_of(testing::grid(2, 1));
   const auto before = draw.full().vertices;
-  hidden::cut(draw, {0, 1, 1, 0});
+  processors::hidden::cut(draw, {0, 1, 1, 0});
   EXPECT_EQ(draw.full().stream().triangle_origin, Shared(std::vector<std::uint32_t>{0, 3}));
   EXPECT_EQ(draw.full().stream().indices, Shared(std::vector<std::uint32_t>{0, 1, 3, 4, 2, 5}));
   EXPECT_EQ(draw.full().vertices, before);
-  hidden::cut(draw, {1, 0});
+  processors::hidden::cut(draw, {1, 0});
   EXPECT_EQ(draw.full().stream().triangle_origin, Shared(std::vector<std::uint32_t>{3}));
-  hidden::cut(draw, {1});  // the last one leaves a triangle without area
+  processors::hidden::cut(draw, {1});  // the last one leaves a triangle without area
   EXPECT_EQ(draw.full().stream().indices, Shared(std::vector<std::uint32_t>{4, 4, 4}));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::levels_goals_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(LevelGoals, AreRefusedWhereTheyMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::levels_goals_test

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::levels_hostile_test {
 namespace {
 
 using testing::TestMesh;
@@ -159,4 +159,4 @@ TEST(HostileLevels, ThousandsOfTetrahedraDoNotVanishSilently) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::levels_hostile_test

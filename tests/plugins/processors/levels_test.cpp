@@ -7,6 +7,7 @@
 #include <foredraw/analysis/surface_distance.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/collapse_sequences.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/technique/plugin.h>
 
@@ -17,7 +18,7 @@
 #include <map>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::levels_test {
 namespace {
 
 using ::testing::AllOf;
@@ -68,8 +69,8 @@ double measured(const Level& a, const Level& b) {
 }
 
 /// Edges between points, by the triangles on both sides: [edge] = the vertices that triangles have at its ends.
-std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint32_t>>> edges(
-    const testing::TestMesh& mesh) {
+std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint32_t>>>
+edges_between_points(const testing::TestMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint32_t>>> all;
   const std::vector<std::uint32_t> point = welded(mesh.positions);
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -86,7 +87,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uin
 std::size_t seam_loops(const testing::TestMesh& mesh) {
   JoinedSets sets(mesh.positions.size());
   std::set<std::uint32_t> points;
-  for (const auto& [edge, sides] : edges(mesh)) {
+  for (const auto& [edge, sides] : edges_between_points(mesh)) {
     if (sides.size() == 2 && sides[0] == sides[1]) continue;
     sets.join(edge.first, edge.second);
     points.insert({edge.first, edge.second});
@@ -265,7 +266,7 @@ TEST_F(Levels, MeshesOfSeveralDrawsStayWatertight) {
   for (std::size_t level = 0; level < 5; ++level) {
     const testing::TestMesh whole =
         testing::joined(drawn(scene.draws[0].levels[level]), drawn(scene.draws[1].levels[level]));
-    for (const auto& [edge, at] : edges(whole)) EXPECT_EQ(at.size(), 2u) << level;
+    for (const auto& [edge, at] : edges_between_points(whole)) EXPECT_EQ(at.size(), 2u) << level;
   }
 }
 
@@ -338,4 +339,4 @@ TEST_F(Levels, WithoutAnySequenceTheSceneStays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::levels_test

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::lod_table_damage_test {
 namespace {
 
 using testing::GltfJson;
@@ -28,7 +28,7 @@ struct File {
 };
 
 File table_file() {
-  const std::vector<std::byte> glb = testing::written(testing::with_table());
+  const std::vector<std::byte> glb = testing::written_with_table(testing::with_table());
   std::uint32_t json_length = 0;
   std::memcpy(&json_length, glb.data() + 12, 4);
   return {testing::json_of(glb), {glb.begin() + 20 + json_length + 8, glb.end()}};
@@ -51,7 +51,7 @@ TEST_P(WrongLodTable, IsLeftOutWithAWarning) {
   EXPECT_NE(diagnostics.all()[0].message.find(GetParam().why), std::string::npos) << diagnostics.all()[0].message;
   EXPECT_FALSE(scene->products.has(LodTable::product));
   EXPECT_EQ(scene->draws[0].levels.size(), 3u);
-  EXPECT_EQ(testing::json_of(testing::written(*scene)).dump().find(extension), std::string::npos);
+  EXPECT_EQ(testing::json_of(testing::written_with_table(*scene)).dump().find(extension), std::string::npos);
 }
 
 constexpr std::int64_t two_to_32 = std::int64_t{1} << 32;
@@ -129,4 +129,4 @@ TEST(LodTable, WithoutARowOrWithoutCostsIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_table_damage_test

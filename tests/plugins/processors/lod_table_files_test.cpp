@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::lod_table_files_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -23,11 +23,12 @@ class LodTableFiles : public testing::InFolder {};
 TEST(LodTable, ComesBackFromAFile) {
   const Scene scene = with_table();
   Diagnostics diagnostics;
-  const auto again = read_gltf(testing::written(scene), "again", {}, diagnostics, {.products = {lod_table_product()}});
+  const auto again =
+      read_gltf(testing::written_with_table(scene), "again", {}, diagnostics, {.products = {lod_table_product()}});
   ASSERT_TRUE(again);
   EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
   EXPECT_EQ(table_of(*again), table_of(scene));
-  EXPECT_EQ(testing::written(*again), testing::written(scene));
+  EXPECT_EQ(testing::written_with_table(*again), testing::written_with_table(scene));
 }
 
 TEST(LodTable, IsInspected) {
@@ -121,4 +122,4 @@ TEST_F(LodTableFiles, TheJsonHasAnObjectForEachWay) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_table_files_test

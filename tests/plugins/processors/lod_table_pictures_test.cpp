@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::lod_table_pictures_test {
 namespace {
 
 template <class T>
@@ -92,4 +92,4 @@ TEST(LodPictures, OfALineAreNumbers) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_table_pictures_test

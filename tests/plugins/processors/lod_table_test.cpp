@@ -12,7 +12,7 @@
 
 #include <bit>
 
-namespace foredraw {
+namespace foredraw::lod_table_test {
 namespace {
 
 using testing::ball_and_plate;
@@ -229,4 +229,4 @@ TEST(LodTable, IsHeldAgainstTheScene) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_table_test

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::merge_instances_damage_test {
 namespace {
 
 using namespace testing;
@@ -30,22 +30,22 @@ class WrongMergedInstances : public ::testing::TestWithParam<Wrong> {};
 TEST_P(WrongMergedInstances, are_left_out_with_a_warning) {
   GltfBuilder builder = merged_file();
   ASSERT_EQ(merged_of(read(builder)).size(), 1u);
-  GetParam().make(builder, builder.json["extensions"][merge_instances]["sets"][0]);
+  GetParam().make(builder, builder.json["extensions"][merge_instances_extension]["sets"][0]);
   Diagnostics diagnostics;
   auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, {.products = built_in_products()});
   ASSERT_TRUE(scene) << to_text(diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
   EXPECT_EQ(diagnostics.all()[0].code, "merged-draws-left-out");
-  EXPECT_EQ(diagnostics.all()[0].where.inside, merge_instances);
+  EXPECT_EQ(diagnostics.all()[0].where.inside, merge_instances_extension);
   EXPECT_FALSE(diagnostics.all()[0].hint.empty());
   EXPECT_TRUE(merged_of(*scene).empty());
   EXPECT_FALSE(scene->draws[0].traits.has(traits::extended));
   const GltfJson json = written(*scene);
-  EXPECT_EQ(json.dump().find(merge_instances), std::string::npos);
+  EXPECT_EQ(json.dump().find(merge_instances_extension), std::string::npos);
   EXPECT_EQ(json["nodes"], builder.json["nodes"]);
   Scene changed = *scene;
   reverse(changed.draws[0]);
-  EXPECT_EQ(written(changed).dump().find(merge_instances), std::string::npos);
+  EXPECT_EQ(written(changed).dump().find(merge_instances_extension), std::string::npos);
 }
 
 constexpr std::uint64_t far_away = 1ull << 40;
@@ -74,15 +74,16 @@ Wrong word(const char* name, const char* key, const char* type, std::size_t at, 
 
 std::vector<Wrong> in_general() {
   std::vector<Wrong> all{
-      {"extension_is_text", [](auto& b, auto&) { b.json["extensions"][merge_instances] = "sets"; }},
-      {"extension_is_null", [](auto& b, auto&) { b.json["extensions"][merge_instances] = nullptr; }},
-      {"no_sets", [](auto& b, auto&) { b.json["extensions"][merge_instances].erase("sets"); }},
-      {"sets_are_an_object", [](auto& b, auto& set) { b.json["extensions"][merge_instances]["sets"] = GltfJson(set); }},
+      {"extension_is_text", [](auto& b, auto&) { b.json["extensions"][merge_instances_extension] = "sets"; }},
+      {"extension_is_null", [](auto& b, auto&) { b.json["extensions"][merge_instances_extension] = nullptr; }},
+      {"no_sets", [](auto& b, auto&) { b.json["extensions"][merge_instances_extension].erase("sets"); }},
+      {"sets_are_an_object",
+       [](auto& b, auto& set) { b.json["extensions"][merge_instances_extension]["sets"] = GltfJson(set); }},
       {"set_is_a_number", [](auto&, auto& set) { set = 3; }},
       {"set_twice",
        [](auto& b, auto& set) {
          const GltfJson copy = set;
-         b.json["extensions"][merge_instances]["sets"].push_back(copy);
+         b.json["extensions"][merge_instances_extension]["sets"].push_back(copy);
        }},
       {"material_is_beyond", [](auto&, auto& set) { set["material"] = 2; }},
       {"material_is_far", [](auto&, auto& set) { set["material"] = far_away; }},
@@ -106,7 +107,7 @@ std::vector<Wrong> in_general() {
              b.add("accessors", {{"componentType", 5125}, {"type", "SCALAR"}, {"count", 1 << 20}});
          set["indices"] = zeros;
          const GltfJson copy = set;
-         for (int i = 0; i < 3000; ++i) b.json["extensions"][merge_instances]["sets"].push_back(copy);
+         for (int i = 0; i < 3000; ++i) b.json["extensions"][merge_instances_extension]["sets"].push_back(copy);
        }},
       {"transform_is_not_finite",
        [](auto& b, auto& set) {
@@ -252,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(InParts, WrongMergedInstances, ::testing::ValuesIn(in_p
 
 TEST(DamagedMergedInstances, the_warning_names_the_place) {
   GltfBuilder builder = merged_file();
-  builder.json["extensions"][merge_instances]["sets"][0]["groups"][1]["draws"][1]["frequency"] = 4;
+  builder.json["extensions"][merge_instances_extension]["sets"][0]["groups"][1]["draws"][1]["frequency"] = 4;
   Diagnostics diagnostics;
   ASSERT_TRUE(read_gltf(builder.glb(), "yard.glb", {}, diagnostics, {.products = built_in_products()}));
   EXPECT_EQ(diagnostics.all()[0].where.file, "yard.glb");
@@ -263,7 +264,7 @@ TEST(DamagedMergedInstances, the_warning_names_the_place) {
 
 TEST(DamagedMergedInstances, transforms_may_be_rounded_otherwise) {
   GltfBuilder builder = merged_file();
-  GltfJson& set = builder.json["extensions"][merge_instances]["sets"][0];
+  GltfJson& set = builder.json["extensions"][merge_instances_extension]["sets"][0];
   rewrite<float>(builder, set, "transforms", "VEC4", [](std::vector<float>& all) {
     for (float& value : all) value *= 1 + 1e-6f;
   });
@@ -274,7 +275,7 @@ TEST(DamagedMergedInstances, transforms_may_be_rounded_otherwise) {
 /// longer than a test may.
 TEST(DamagedMergedInstances, padding_is_looked_at_once) {
   GltfBuilder builder = merged_file();
-  GltfJson& set = builder.json["extensions"][merge_instances]["sets"][0];
+  GltfJson& set = builder.json["extensions"][merge_instances_extension]["sets"][0];
   const std::uint32_t entries = 3 << 20, frequency = 3 << 19;
   set["indices"] = builder.add("accessors", {{"componentType", 5125}, {"type", "SCALAR"}, {"count", entries}});
   std::vector<std::uint32_t> slots;
@@ -298,7 +299,7 @@ TEST(DamagedMergedInstances, leave_nothing_behind) {
   std::memcpy(builder.buffer.data(), &none, 4);
   GltfBuilder merged = builder_of(write(merged_yard(read(builder))));
   merged.json.erase("buffers");
-  merged.json["extensions"][merge_instances]["sets"][0]["material"] = 77;
+  merged.json["extensions"][merge_instances_extension]["sets"][0]["material"] = 77;
   const Bytes file = write(read(merged));
   EXPECT_TRUE(merged_of(read(file)).empty());
   EXPECT_LE(file.size(), builder.glb().size() + 1000) << "accessors without bytes are left";
@@ -306,7 +307,7 @@ TEST(DamagedMergedInstances, leave_nothing_behind) {
 
 TEST(DamagedMergedInstances, no_sets_are_none) {
   GltfBuilder builder = merged_file();
-  builder.json["extensions"][merge_instances]["sets"] = GltfJson::array();
+  builder.json["extensions"][merge_instances_extension]["sets"] = GltfJson::array();
   EXPECT_TRUE(merged_of(read(builder)).empty());
   EXPECT_EQ(write(read(builder)), builder.glb());
 }
@@ -330,4 +331,4 @@ TEST(DamagedMergedInstances, nodes_that_were_hidden_or_are_moved_cost_the_merged
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_damage_test

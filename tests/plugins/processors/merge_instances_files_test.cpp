@@ -17,7 +17,7 @@
 #include <fstream>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::merge_instances_files_test {
 namespace {
 
 using namespace testing;
@@ -236,4 +236,4 @@ TEST(MergedFiles, InspectTellsOfThem) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_files_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances::merge_instances_frequency_test {
 namespace {
 
 std::vector<MeshSize> random_sizes(Random& random, std::size_t count, std::uint64_t most_triangles) {
@@ -218,4 +218,4 @@ TEST(MergeFrequency, MeshesOfMillionsAndThousandsOfSizesAreSolved) {
 }
 
 }  // namespace
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances::merge_instances_frequency_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::merge_instances_gltf_test {
 namespace {
 
 using namespace testing;
@@ -33,7 +33,7 @@ std::size_t stride_of(const GltfJson& json, std::size_t accessor, std::size_t ti
 
 /// The accessors of what is merged are parts of the merged ones, and keep what else they said.
 void expect_parts(const Scene& scene, const GltfJson& before, const GltfJson& json) {
-  const GltfJson& sets = json["extensions"][merge_instances]["sets"];
+  const GltfJson& sets = json["extensions"][merge_instances_extension]["sets"];
   ASSERT_EQ(sets.size(), merged_of(scene).size());
   for (const GltfJson& set : sets) {
     for (const GltfJson& primitive : set["primitives"]) {
@@ -89,10 +89,10 @@ TEST(GltfMergedInstances, come_back_as_they_were_and_no_vertex_is_written_twice)
       expect_comes_back(scene, file);
       expect_parts(scene, builder.json, json_of(file));
       expect_each_vertex_once(scene, file);
-      EXPECT_EQ(json_of(file)["extensionsUsed"], GltfJson::array({"KHR_mesh_quantization", merge_instances}));
+      EXPECT_EQ(json_of(file)["extensionsUsed"], GltfJson::array({"KHR_mesh_quantization", merge_instances_extension}));
       EXPECT_EQ(json_of(file)["extensionsRequired"], GltfJson::array({"KHR_mesh_quantization"}));
       EXPECT_EQ(json_of(file)["nodes"], builder.json["nodes"]);
-      EXPECT_EQ(json_of(file)["extensions"][merge_instances]["sets"][0].contains("materials"), materials);
+      EXPECT_EQ(json_of(file)["extensions"][merge_instances_extension]["sets"][0].contains("materials"), materials);
     }
   }
 }
@@ -165,7 +165,7 @@ TEST(GltfMergedInstances, two_sets_of_one_buffer_share_its_accessors) {
   const Scene scene = with_merged(base, {a, b});
   const Bytes file = write(scene);
   expect_comes_back(scene, file);
-  const GltfJson json = json_of(file)["extensions"][merge_instances]["sets"];
+  const GltfJson json = json_of(file)["extensions"][merge_instances_extension]["sets"];
   EXPECT_EQ(json[0]["attributes"], json[1]["attributes"]);
   expect_each_vertex_once(scene, file);
   const Scene again = read(file);
@@ -223,7 +223,8 @@ TEST(GltfMergedInstances, come_through_compressed_files) {
       const auto files = encode_gltf(scene, "out.glb", diagnostics, {.compression = compression});
       ASSERT_TRUE(files) << to_text(diagnostics);
       const GltfJson json = json_of(files->front().bytes);
-      const auto whole = json["extensions"][merge_instances]["sets"][0]["attributes"]["POSITION"].get<std::size_t>();
+      const auto whole =
+          json["extensions"][merge_instances_extension]["sets"][0]["attributes"]["POSITION"].get<std::size_t>();
       const auto view = json["accessors"][whole]["bufferView"].get<std::size_t>();
       EXPECT_EQ(json["bufferViews"][view].contains("extensions"), compression == Compression::keep);
       expect_parts(scene, plain.json, json);
@@ -304,7 +305,7 @@ TEST(GltfMergedInstances, further_ones_are_put_beside_those_there_were) {
   const Scene again = read(file);
   EXPECT_EQ(merged_of(again), merged_of(scene));
   EXPECT_EQ(merged_places(again), all);
-  EXPECT_EQ(json_of(file)["extensionsUsed"], GltfJson::array({"KHR_mesh_quantization", merge_instances}));
+  EXPECT_EQ(json_of(file)["extensionsUsed"], GltfJson::array({"KHR_mesh_quantization", merge_instances_extension}));
 }
 
 /// Whoever sorted them for low overdraw draws the same.
@@ -321,4 +322,4 @@ TEST(GltfMergedInstances, slots_of_a_draw_may_come_in_any_sequence) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_gltf_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances::merge_instances_groups_test {
 namespace {
 
 PlacedBox placed(const glm::vec3& middle, float half, std::uint32_t indices) {
@@ -40,10 +40,10 @@ void expect_each_once(const SpatialGroups& groups, std::span<const PlacedBox> bo
   for (std::size_t g = 0; g < groups.size(); ++g) {
     EXPECT_FALSE(groups.of(g).empty());
     EXPECT_TRUE(std::ranges::is_sorted(groups.of(g)));
-    Box bound;
+    Box<glm::vec3> bound;
     for (const std::uint32_t i : groups.of(g)) bound.add(boxes[i].box);
-    EXPECT_EQ(bound.least, groups.bounds[g].least);
-    EXPECT_EQ(bound.most, groups.bounds[g].most);
+    EXPECT_EQ(bound.min, groups.bounds[g].min);
+    EXPECT_EQ(bound.max, groups.bounds[g].max);
   }
 }
 
@@ -69,8 +69,8 @@ TEST(MergeGroups, CostLessThanTheBestGridOneDrawAndManyDraws) {
   std::vector<PlacedBox> boxes = town(2000, 4);
   for (const PlacedBox& far_off : town(500, 5)) {  // a suburb beside it, denser
     boxes.push_back(far_off);
-    boxes.back().box.least = boxes.back().box.least * 0.2f + glm::vec3(400, 30, 90);
-    boxes.back().box.most = boxes.back().box.most * 0.2f + glm::vec3(400, 30, 90);
+    boxes.back().box.min = boxes.back().box.min * 0.2f + glm::vec3(400, 30, 90);
+    boxes.back().box.max = boxes.back().box.max * 0.2f + glm::vec3(400, 30, 90);
   }
   const GroupOptions options{.draw_cost = 3000};
   const SpatialGroups groups = spatial_groups(boxes, options, Executor(2));
@@ -89,7 +89,7 @@ TEST(MergeGroups, AreNearTheBestOfAllGroupings) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const std::vector<PlacedBox> boxes = town(8, 20 + seed);
     const GroupOptions options{.draw_cost = 200};
-    Box scene;
+    Box<glm::vec3> scene;
     for (const PlacedBox& box : boxes) scene.add(box.box);
     const SpatialGroups groups = spatial_groups(boxes, options, Executor(1));
     const SeenBoxes seen(scene, groups.view_distance);
@@ -105,7 +105,7 @@ TEST(MergeGroups, AreNearTheBestOfAllGroupings) {
       }
       double cost = 0;
       for (std::size_t g = 0; g < used; ++g) {
-        Box bound;
+        Box<glm::vec3> bound;
         double indices = 0, own = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
           if (group_of[i] != g) continue;
@@ -136,7 +136,7 @@ TEST(MergeGroups, KeepTheBudgets) {
     for (const std::uint32_t i : groups.of(g)) indices += boxes[i].indices;
     EXPECT_LE(indices, 20'000u);
     EXPECT_LE(groups.of(g).size(), 30u);
-    const glm::vec3 side = groups.bounds[g].most - groups.bounds[g].least;
+    const glm::vec3 side = groups.bounds[g].max - groups.bounds[g].min;
     if (groups.of(g).size() > 1) EXPECT_LE(std::max({side.x, side.y, side.z}), 25);
   }
   const GroupOptions large{.draw_cost = 1e9, .most_indices = 20'000, .most_instances = 30};
@@ -160,7 +160,7 @@ TEST(MergeGroups, NothingAndPointsAreGroupedToo) {
 
 TEST(MergeGroups, RefuseBoxesThatAreNotFinite) {
   std::vector<PlacedBox> boxes(2, placed({0, 0, 0}, 1, 3));
-  boxes[1].box.most.y = std::numeric_limits<float>::infinity();
+  boxes[1].box.max.y = std::numeric_limits<float>::infinity();
   EXPECT_THROW(spatial_groups(boxes, {}, Executor(1)), std::invalid_argument);
   boxes[1].box = {};
   EXPECT_THROW(spatial_groups(boxes, {}, Executor(1)), std::invalid_argument);
@@ -177,4 +177,4 @@ TEST(MergeGroups, AHundredThousandAreTheSameOnTwoThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances::merge_instances_groups_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <set>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances::merge_instances_packing_test {
 namespace {
 
 std::uint64_t different(std::span<const std::uint32_t> indices, const std::vector<std::uint32_t>& first) {
@@ -161,4 +161,4 @@ TEST(MergePlacing, TellsTransformsApart) {
 }
 
 }  // namespace
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances::merge_instances_packing_test

@@ -15,7 +15,7 @@
 #include <cstring>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::merge_instances_scene_test {
 namespace {
 
 using testing::all_draws;
@@ -282,4 +282,4 @@ TEST(MergeInstancesOfScene, SlotsOfNoWholeTrianglesAreRefusedInThePlan) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_scene_test

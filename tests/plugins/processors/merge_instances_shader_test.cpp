@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::merge_instances_shader_test {
 namespace {
 
 VertexStream stream(std::string semantic, Component component, std::uint8_t components, bool normalized) {
@@ -111,4 +111,4 @@ TEST(MergeShader, StreamsBeginAtMultiplesOfFour) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_shader_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::merge_instances_skinned_test {
 namespace {
 
 template <class T>
@@ -85,11 +85,11 @@ TEST(MergeInstancesOfSkins, StayWhereTheNodeHasNoSkinOrTurnsThemInsideOut) {
   const MergedScene found = merge_scene(scene, testing::all_draws(scene), options, Executor(1));
   EXPECT_TRUE(found.merged.empty());
   std::vector<std::string> reasons;
-  for (const merging::LeftAlone& left : found.left_alone) reasons.push_back(left.why);
+  for (const processors::merge_instances::LeftAlone& left : found.left_alone) reasons.push_back(left.why);
   std::ranges::sort(reasons);
   EXPECT_EQ(reasons, (std::vector<std::string>{"it has joints, but its node has no skin",
                                                "its node mirrors what its joints place"}));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_skinned_test

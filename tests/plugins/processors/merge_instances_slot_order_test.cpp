@@ -4,6 +4,7 @@
 
 #include "support/placements.h"
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/runtime/merge_instances.h>
 #include <foredraw/technique/plugin.h>
 
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::merge_instances_slot_order_test {
 namespace {
 
 using testing::all_draws;
@@ -45,7 +46,7 @@ std::vector<MergedSlot> sorted_by_place(std::span<const MergedSlot> slots) {
 TEST(MergeSlotOrder, WhatFacesOutwardsComesFirst) {
   for (const auto& [first, second] : {std::pair(0.f, 1.f), std::pair(1.f, 0.f)}) {
     const MergedInstances merged = merged_of(two_floors(first, second));
-    const std::vector<MergedSlot> slots = merging::outward_slots(merged, Executor(1));
+    const std::vector<MergedSlot> slots = processors::merge_instances::outward_slots(merged, Executor(1));
     ASSERT_EQ(slots.size(), 2u);
     // The upper one faces away from the middle between both.
     EXPECT_EQ(merged.transforms.view()[slots[0].instance][11], 1);
@@ -55,8 +56,8 @@ TEST(MergeSlotOrder, WhatFacesOutwardsComesFirst) {
 
 TEST(MergeSlotOrder, EveryDrawKeepsItsSlots) {
   const MergedInstances merged = merged_of(scene_with(random_placements(7, 8, 40)));
-  const std::vector<MergedSlot> slots = merging::outward_slots(merged, Executor(2));
-  EXPECT_EQ(slots, merging::outward_slots(merged, Executor(1)));
+  const std::vector<MergedSlot> slots = processors::merge_instances::outward_slots(merged, Executor(2));
+  EXPECT_EQ(slots, processors::merge_instances::outward_slots(merged, Executor(1)));
   ASSERT_EQ(slots.size(), merged.slots.size());
   EXPECT_FALSE(std::ranges::equal(slots, merged.slots.view()));
   for (const MergedDraw& draw : merged.draws) {
@@ -73,7 +74,7 @@ TEST(MergeSlotOrder, AGroupByItselfIsWhatItsDrawsFetch) {
   const std::vector<glm::vec3> positions = decode_vec3(*merged.vertices->find("POSITION"));
   const auto* slots = reinterpret_cast<const foredraw_merged_slot*>(merged.slots.view().data());
   for (std::uint32_t g = 0; g < merged.groups.size(); ++g) {
-    const Scene alone = merging::group_scene(scene, merged, g);
+    const Scene alone = processors::merge_instances::group_scene(scene, merged, g);
     std::size_t number = 0;
     for (const MergedDraw& one : merged.draws) {
       if (one.group != g) continue;
@@ -130,4 +131,4 @@ TEST(MergeSlotOrder, TheStageSortsWhereMeasuredOverdrawFalls) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_slot_order_test

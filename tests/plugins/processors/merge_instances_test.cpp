@@ -12,7 +12,7 @@
 
 #include <foredraw/runtime/merge_instances.h>
 
-namespace foredraw {
+namespace foredraw::merge_instances_test {
 namespace {
 
 using testing::all_draws;
@@ -50,7 +50,8 @@ std::vector<Drawn> unpacked(const MergedSet& set) {
       EXPECT_EQ(at[0].instance, at[2].instance);
       const float* transform = set.packed.transforms[at[0].instance].data();
       if (foredraw_merged_is_mirrored(transform)) std::swap(at[1], at[2]);
-      const merging::MergeablePlacement& placement = set.set.placements[set.packed.placed[at[0].instance]];
+      const processors::merge_instances::MergeablePlacement& placement =
+          set.set.placements[set.packed.placed[at[0].instance]];
       std::array<Corner, 3> corners;
       for (std::size_t c = 0; c < 3; ++c) corners[c] = bits_of(*set.vertices, at[c].vertex);
       drawn.push_back({placement.place.node, set.set.meshes[placement.mesh].draw, corners});
@@ -108,14 +109,14 @@ TEST(MergeInstances, AnEnginesMeshesComeToTheSame) {
   const MergedScene merged = merge(scene);
   ASSERT_EQ(merged.merged.size(), 1u);
   const MergedSet& set = merged.merged[0];
-  std::vector<merging::PackedMesh> meshes;
+  std::vector<processors::merge_instances::PackedMesh> meshes;
   for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
     const Level& level = scene.draws[set.set.meshes[m].draw].levels[0];
     meshes.push_back({"mesh", level.orders[0].indices.view(), set.first_vertex[m], level.vertices->count});
   }
-  std::vector<merging::PlacedMesh> placed;
+  std::vector<processors::merge_instances::PlacedMesh> placed;
   for (const auto& at : set.set.placements) placed.push_back({at.mesh, at.world, at.box});
-  const merging::PackedInstances packed = merge_instances(meshes, placed, {}, Executor(2));
+  const processors::merge_instances::PackedInstances packed = merge_instances(meshes, placed, {}, Executor(2));
   EXPECT_EQ(packed.slots, set.packed.slots);
   EXPECT_EQ(packed.indices, set.packed.indices);
   EXPECT_EQ(packed.transforms, set.packed.transforms);
@@ -169,7 +170,7 @@ TEST(MergeInstances, NothingIsLostOfWhatIsNotMerged) {
   const MergedScene merged = merge(scene);
   ASSERT_EQ(merged.merged.size(), 1u);
   std::vector<std::string> reasons;
-  for (const merging::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
+  for (const processors::merge_instances::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
   std::ranges::sort(reasons);
   EXPECT_EQ(reasons,
             (std::vector<std::string>{"an animation moves it, or its parent is a joint", "its transform is not affine",
@@ -186,7 +187,7 @@ TEST(MergeInstances, TellsWhatCanNotBeMerged) {
   scene.draws[4].material = 77;  // no such material
   const MergedScene merged = merge(scene);
   std::vector<std::string> reasons;
-  for (const merging::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
+  for (const processors::merge_instances::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
   EXPECT_EQ(reasons, (std::vector<std::string>{"it is skinned", "it is blended, so the order of draws is visible",
                                                "an extension refers to its triangles or vertices",
                                                "it has no triangles", "its material is missing"}));
@@ -264,4 +265,4 @@ TEST(MergeInstances, IsTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::openmesh_decimate_test {
 namespace {
 
 using testing::TestMesh;
@@ -79,4 +79,4 @@ TEST(OpenmeshDecimate, StopsWhereItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::openmesh_decimate_test

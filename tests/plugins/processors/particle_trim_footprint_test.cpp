@@ -9,14 +9,14 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::particle_trim_footprint_test {
 namespace {
 
-using trim::Box;
-using trim::Footprint;
-using trim::FootprintOptions;
-using trim::Point;
-using trim::ShownImage;
+using processors::particle_trim::Box;
+using processors::particle_trim::Footprint;
+using processors::particle_trim::FootprintOptions;
+using processors::particle_trim::Point;
+using processors::particle_trim::ShownImage;
 
 /// Blots, so that outlines run at all angles; with values of all sizes.
 AlphaImage random_image(Random& random, std::uint32_t most) {
@@ -87,8 +87,8 @@ TEST(Footprint, holds_every_place_that_shows) {
     const ShownImage parts(image, sampling, {threshold, footprint});
     const Box frame = random_frame(random, image);
     const std::vector<Point> points = parts.shown_points(frame);
-    const std::vector<Point> hull = trim::convex_hull(points);
-    const std::vector<Point> padded = trim::padded_hull(points, frame, parts.options());
+    const std::vector<Point> hull = processors::particle_trim::convex_hull(points);
+    const std::vector<Point> padded = processors::particle_trim::padded_hull(points, frame, parts.options());
     for (const Point& corner : hull) EXPECT_TRUE(holds(padded, corner));
     for (int i = 0; i < 3000; ++i) {
       const auto between = [&](std::int64_t least, std::int64_t most) {
@@ -120,9 +120,10 @@ TEST(Footprint, follows_the_blend_closely) {
     }
     if (showing.size() < 500) continue;
     const auto hull_area = [&](Footprint footprint) {
-      return area_of(trim::convex_hull(ShownImage(image, sampling, {threshold, footprint}).shown_points(frame)));
+      return area_of(processors::particle_trim::convex_hull(
+          ShownImage(image, sampling, {threshold, footprint}).shown_points(frame)));
     };
-    least_area += area_of(trim::convex_hull(showing));
+    least_area += area_of(processors::particle_trim::convex_hull(showing));
     tight_area += hull_area(Footprint::bilinear);
     loose_area += hull_area(Footprint::bilinear_loose);
   }
@@ -136,7 +137,7 @@ TEST(Footprint, of_one_texel_is_known) {
   const Box frame{{0, 0}, {5 * 256, 5 * 256}};
   const Sampling sampling{{Wrap::clamped, Wrap::clamped}, false};
   const auto hull = [&](FootprintOptions options) {
-    return trim::convex_hull(ShownImage(image, sampling, options).shown_points(frame));
+    return processors::particle_trim::convex_hull(ShownImage(image, sampling, options).shown_points(frame));
   };
   EXPECT_EQ(hull({0, Footprint::texels}), (std::vector<Point>{{512, 512}, {768, 512}, {768, 768}, {512, 768}}));
   EXPECT_EQ(hull({0, Footprint::bilinear}), (std::vector<Point>{{384, 384}, {896, 384}, {896, 896}, {384, 896}}));
@@ -159,7 +160,7 @@ TEST(Footprint, reaches_further_with_each_mip_level) {
     double before = 0;
     for (int levels = 0; levels <= 3; ++levels) {
       const ShownImage parts(image, sampling, {threshold, Footprint::bilinear, levels});
-      const std::vector<Point> hull = trim::convex_hull(parts.shown_points(frame));
+      const std::vector<Point> hull = processors::particle_trim::convex_hull(parts.shown_points(frame));
       EXPECT_GE(area_of(hull), before);
       before = area_of(hull);
       for (std::size_t i = 0; i < parts.levels(); ++i) {
@@ -215,4 +216,4 @@ TEST(ShownCells, find_whatever_shows_in_a_triangle_outside_of_the_frame) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::particle_trim_footprint_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::particle_trim_sprites_test {
 namespace {
 
 struct Trimming {
@@ -277,7 +277,8 @@ TEST(ParticleTrim, frames_may_share_one_shape) {
   AlphaImage image = blank(64, 32);
   for (std::uint32_t v = 10; v < 20; ++v) std::fill_n(image.alpha.begin() + 64 * v + 8, 6, 65535);
   for (std::uint32_t v = 14; v < 26; ++v) std::fill_n(image.alpha.begin() + 64 * v + 32 + 14, 6, 65535);
-  const trim::ShownImage shown(image, {{Wrap::clamped, Wrap::clamped}, false}, trim::FootprintOptions{});
+  const processors::particle_trim::ShownImage shown(image, {{Wrap::clamped, Wrap::clamped}, false},
+                                                    processors::particle_trim::FootprintOptions{});
   const std::array<TrimFrame, 2> tiles{{{{0, 0}, {32 * 256, 32 * 256}}, {{32 * 256, 0}, {64 * 256, 32 * 256}}}};
   const auto both = particle_trim(shown, tiles, {.least_saving = 0});
   ASSERT_EQ(both.size(), 2u);
@@ -290,4 +291,4 @@ TEST(ParticleTrim, frames_may_share_one_shape) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::particle_trim_sprites_test

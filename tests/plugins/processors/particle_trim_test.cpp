@@ -10,12 +10,12 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::particle_trim_test {
 namespace {
 
-using trim::Allowed;
-using trim::Enclosing;
-using trim::Point;
+using processors::particle_trim::Allowed;
+using processors::particle_trim::Enclosing;
+using processors::particle_trim::Point;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -26,7 +26,7 @@ std::vector<Point> random_hull(Random& random, std::size_t most_edges, std::int6
     const auto coordinate = [&] { return static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(size))); };
     points.push_back({coordinate(), coordinate()});
   }
-  std::vector<Point> hull = trim::convex_hull(points);
+  std::vector<Point> hull = processors::particle_trim::convex_hull(points);
   while (hull.size() > most_edges) hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(random.below(hull.size())));
   return hull.size() >= 3 ? hull : std::vector<Point>{{0, 0}, {size, 0}, {0, size}};
 }
@@ -145,7 +145,7 @@ TEST(SmallestEnclosing, is_what_an_exhaustive_search_finds) {
   for (int round = 0; round < 60; ++round) {
     const std::vector<Point> hull = random_hull(random, round % 5 == 0 ? 14 : 9, round % 3 == 0 ? 12 : 4000);
     for (std::size_t n = 3; n <= 8 && n < hull.size(); ++n) {
-      const auto polygon = trim::smallest_enclosing(hull, static_cast<int>(n));
+      const auto polygon = processors::particle_trim::smallest_enclosing(hull, static_cast<int>(n));
       const double least = least_area(hull, n);
       ASSERT_TRUE(polygon);
       EXPECT_NEAR(polygon->area, least, 1e-7 * least) << "round " << round << ", n " << n << ", edges " << hull.size();
@@ -160,12 +160,12 @@ TEST(SmallestEnclosing, is_never_larger_than_what_is_found_on_a_reduced_hull_and
     const std::vector<Point> hull = random_hull(random, 60, 100000);
     double before = infinity;
     for (int n = 3; n <= 16; ++n) {
-      const auto optimal = trim::smallest_enclosing(hull, n);
+      const auto optimal = processors::particle_trim::smallest_enclosing(hull, n);
       ASSERT_TRUE(optimal);
       EXPECT_LE(optimal->area, before * (1 + 1e-12));
       before = optimal->area;
       if (n > 8) continue;
-      const auto reduced = trim::reduced_enclosing(hull, n, 16);
+      const auto reduced = processors::particle_trim::reduced_enclosing(hull, n, 16);
       if (reduced) {
         EXPECT_LE(optimal->area, reduced->area * (1 + 1e-12));
         expect_encloses(*reduced, hull, static_cast<std::size_t>(n));
@@ -176,9 +176,9 @@ TEST(SmallestEnclosing, is_never_larger_than_what_is_found_on_a_reduced_hull_and
 
 TEST(SmallestEnclosing, of_a_square_is_known) {
   const std::vector<Point> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  EXPECT_NEAR(trim::smallest_enclosing(square, 3)->area, 200, 1e-9);
-  EXPECT_EQ(trim::smallest_enclosing(square, 4)->area, 100);
-  EXPECT_EQ(trim::smallest_enclosing(square, 16)->corners.size(), 4u);
+  EXPECT_NEAR(processors::particle_trim::smallest_enclosing(square, 3)->area, 200, 1e-9);
+  EXPECT_EQ(processors::particle_trim::smallest_enclosing(square, 4)->area, 100);
+  EXPECT_EQ(processors::particle_trim::smallest_enclosing(square, 16)->corners.size(), 4u);
 }
 
 TEST(SmallestEnclosing, keeps_to_what_is_allowed_and_takes_the_next_best) {
@@ -191,8 +191,8 @@ TEST(SmallestEnclosing, keeps_to_what_is_allowed_and_takes_the_next_best) {
       return std::max({a.x, b.x, c.x}) <= edge;
     };
     for (int n = 3; n <= 8; ++n) {
-      const auto free = trim::smallest_enclosing(hull, n);
-      const auto kept = trim::smallest_enclosing(hull, n, allowed);
+      const auto free = processors::particle_trim::smallest_enclosing(hull, n);
+      const auto kept = processors::particle_trim::smallest_enclosing(hull, n, allowed);
       if (!kept) {
         ++forbidden;
         continue;
@@ -200,10 +200,10 @@ TEST(SmallestEnclosing, keeps_to_what_is_allowed_and_takes_the_next_best) {
       EXPECT_GE(kept->area, free->area * (1 - 1e-12));
       if (kept->area > free->area * (1 + 1e-9)) ++forbidden;
       for (const glm::dvec2& corner : kept->corners) EXPECT_LE(corner.x, edge + 1e-6);
-      const auto bounded = trim::smallest_enclosing(hull, n, allowed, kept->area * (1 + 1e-9));
+      const auto bounded = processors::particle_trim::smallest_enclosing(hull, n, allowed, kept->area * (1 + 1e-9));
       ASSERT_TRUE(bounded);
       EXPECT_NEAR(bounded->area, kept->area, 1e-9 * kept->area);
-      EXPECT_FALSE(trim::smallest_enclosing(hull, n, allowed, kept->area * (1 - 1e-6)) &&
+      EXPECT_FALSE(processors::particle_trim::smallest_enclosing(hull, n, allowed, kept->area * (1 - 1e-6)) &&
                    hull.size() > static_cast<std::size_t>(n));
     }
   }
@@ -219,8 +219,8 @@ TEST(ConvexHull, holds_all_points_and_turns_one_way) {
       const auto coordinate = [&] { return static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(size))); };
       points.push_back({coordinate(), coordinate()});
     }
-    const std::vector<Point> hull = trim::monotone_chain(points);
-    EXPECT_EQ(hull, trim::convex_hull(points));
+    const std::vector<Point> hull = processors::particle_trim::monotone_chain(points);
+    EXPECT_EQ(hull, processors::particle_trim::convex_hull(points));
     if (hull.size() < 3) continue;
     for (std::size_t i = 0; i < hull.size(); ++i) {
       const Point &a = hull[i], &b = hull[(i + 1) % hull.size()], &c = hull[(i + 2) % hull.size()];
@@ -233,7 +233,7 @@ TEST(ConvexHull, holds_all_points_and_turns_one_way) {
 TEST(FewestInnerEdges, cut_a_polygon_into_triangles_of_its_own_direction) {
   std::vector<glm::dvec2> corners;
   for (int i = 0; i < 9; ++i) corners.emplace_back(100 * std::cos(i * 2 * M_PI / 9), 10 * std::sin(i * 2 * M_PI / 9));
-  const auto triangles = trim::fewest_inner_edges(corners);
+  const auto triangles = processors::particle_trim::fewest_inner_edges(corners);
   ASSERT_EQ(triangles.size(), 7u);
   double area = 0, inner = 0, fan = 0;
   for (const auto& [a, b, c] : triangles) {
@@ -247,36 +247,39 @@ TEST(FewestInnerEdges, cut_a_polygon_into_triangles_of_its_own_direction) {
   for (int i = 2; i < 8; ++i) fan += glm::distance(corners[0], corners[static_cast<std::size_t>(i)]);
   EXPECT_NEAR(area, doubled_area(corners), 1e-9);
   EXPECT_LT(inner, fan);
-  EXPECT_TRUE(trim::fewest_inner_edges(std::vector<glm::dvec2>(2)).empty());
+  EXPECT_TRUE(processors::particle_trim::fewest_inner_edges(std::vector<glm::dvec2>(2)).empty());
 }
 
 TEST(StoredPolygon, holds_what_was_in_it_in_every_format) {
   Random random(15);
   AlphaImage image{800, 300, {}};
-  for (const trim::UvFormat format : {trim::UvFormat::float32, trim::UvFormat::float16, trim::UvFormat::unorm16}) {
+  for (const processors::particle_trim::UvFormat format :
+       {processors::particle_trim::UvFormat::float32, processors::particle_trim::UvFormat::float16,
+        processors::particle_trim::UvFormat::unorm16}) {
     for (int round = 0; round < 300; ++round) {
       std::vector<Point> points;
       for (int i = 0; i < 40; ++i) {
         points.push_back({256 * 30 + static_cast<std::int64_t>(random.below(740 * 256)),
                           256 * 30 + static_cast<std::int64_t>(random.below(240 * 256))});
       }
-      const std::vector<Point> hull = trim::convex_hull(points);
+      const std::vector<Point> hull = processors::particle_trim::convex_hull(points);
       std::vector<glm::dvec2> corners;
       for (const Point& point : hull) corners.emplace_back(point.x, point.y);
-      const auto polygon = trim::StoredPolygon::round(corners, image, format);
+      const auto polygon = processors::particle_trim::StoredPolygon::round(corners, image, format);
       ASSERT_TRUE(polygon);
       for (const Point& point : points) EXPECT_TRUE(polygon->holds(point));
       EXPECT_FALSE(polygon->holds({hull[0].x - 256 * 3, hull[0].y}));
       const double exact = 0.5 * doubled_area(corners) / (256 * 256);
       EXPECT_GE(polygon->area(), exact);
-      EXPECT_LT(polygon->area(), exact * (format == trim::UvFormat::float16 ? 1.05 : 1.001));
+      EXPECT_LT(polygon->area(), exact * (format == processors::particle_trim::UvFormat::float16 ? 1.05 : 1.001));
       for (const glm::dvec2& uv : polygon->texture_coordinates()) {
-        EXPECT_EQ(static_cast<double>(static_cast<float>(uv.x)),
-                  format == trim::UvFormat::unorm16 ? static_cast<double>(static_cast<float>(uv.x)) : uv.x);
+        EXPECT_EQ(static_cast<double>(static_cast<float>(uv.x)), format == processors::particle_trim::UvFormat::unorm16
+                                                                     ? static_cast<double>(static_cast<float>(uv.x))
+                                                                     : uv.x);
       }
     }
   }
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::particle_trim_test

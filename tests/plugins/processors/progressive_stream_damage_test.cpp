@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::progressive_stream_damage_test {
 namespace {
 
 using testing::all_chunks;
@@ -113,4 +113,4 @@ TEST_F(Damage, AnyBytesComeToAnEnd) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::progressive_stream_damage_test

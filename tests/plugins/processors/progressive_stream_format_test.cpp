@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::progressive_stream_format_test {
 namespace {
 
 using testing::TestMesh;
@@ -82,4 +82,4 @@ TEST(ProgressiveStreamFormat, OfVersionOneIsWhatItWas) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::progressive_stream_format_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::progressive_stream_stage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -68,4 +68,4 @@ TEST_F(StreamStage, SaysWhatItWants) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::progressive_stream_stage_test

@@ -15,7 +15,7 @@
 #include <limits>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::progressive_stream_test {
 namespace {
 
 using testing::all_chunks;
@@ -236,4 +236,4 @@ TEST(ProgressiveStream, AttributesNeedNotBeFinite) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::progressive_stream_test

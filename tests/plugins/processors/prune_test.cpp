@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::prune_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -157,4 +157,4 @@ TEST(PruneStage, AnAnimationOfFewerTracksComesBackFromTheFile) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::prune_test

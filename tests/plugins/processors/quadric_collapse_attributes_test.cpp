@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_attributes_test {
 namespace {
 
 using testing::TestMesh;
@@ -152,4 +152,4 @@ TEST(QuadricCollapseAttributes, ErrorsAreDistances) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_attributes_test

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_flat_test {
 namespace {
 
 using testing::floats2;
@@ -159,4 +159,4 @@ TEST(FlatShadedAttributes, WithoutNormalsThatCountVerticesAreUnlike) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_flat_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_parts_test {
 namespace {
 
 using testing::distance;
@@ -80,4 +80,4 @@ TEST(QuadricCollapseParts, TheLastPieceStays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_parts_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_pieces_test {
 namespace {
 
 using testing::TestMesh;
@@ -152,4 +152,4 @@ TEST_P(QuadricCollapsePieces, OfBadMeshesStopWhereTheyAreToldTo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_pieces_test

@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_poses_test {
 namespace {
 
 using testing::BendingTube;
@@ -192,4 +192,4 @@ TEST(QuadricCollapsePlugin, LooksAtPosesOfWhatMoves) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_poses_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_solved_test {
 namespace {
 
 using testing::floats2;
@@ -155,4 +155,4 @@ TEST(QuadricCollapseSolved, EndpointsAreExact) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_solved_test

@@ -12,7 +12,7 @@
 #include <limits>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::quadric_collapse_test {
 namespace {
 
 using testing::coarse;
@@ -293,4 +293,4 @@ TEST(QuadricCollapse, StopsWhereItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quadric_collapse_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::quantize_animations_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -199,4 +199,4 @@ TEST(QuantizeAnimations, CharactersMoveAsTheyDid) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quantize_animations_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::quantize_integer_texcoords_test {
 namespace {
 
 using Uvs = std::vector<glm::vec2>;
@@ -203,4 +203,4 @@ RC_GTEST_PROP(IntegerTexcoords, TexturesLieWhereTheyLayWithinTheTolerance, ()) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quantize_integer_texcoords_test

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace foredraw {
+namespace foredraw::quantize_integers_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -304,4 +304,4 @@ TEST(QuantizeIntegers, OrdersOfStagesBehindAreAsGood) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quantize_integers_test

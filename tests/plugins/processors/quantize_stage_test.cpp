@@ -10,7 +10,7 @@
 
 #include <set>
 
-namespace foredraw {
+namespace foredraw::quantize_stage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST(QuantizeStage, ASecondTimeNothingIsToDo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quantize_stage_test

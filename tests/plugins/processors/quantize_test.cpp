@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::quantize_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -208,4 +208,4 @@ TEST(Quantize, TwiceIsOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::quantize_test

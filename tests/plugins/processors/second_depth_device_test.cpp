@@ -21,7 +21,7 @@
 
 #include <cstdint>
 
-namespace foredraw {
+namespace foredraw::second_depth_device_test {
 namespace {
 
 using testing::SmallCamera;
@@ -117,12 +117,13 @@ std::vector<Piece> scene(Random& random) {
   std::vector<Piece> pieces;
   const auto add = [&](const TestMesh& mesh, bool is_masked = false) {
     const TestMesh there = placed(mesh, random, place());
-    const auto kinds = shells::kinds_of(there.positions, welded(there.positions), there.indices);
+    const auto kinds = processors::second_depth::kinds_of(there.positions, welded(there.positions), there.indices);
     Piece closed{there, true, false}, other{there, false, is_masked};
     closed.mesh.indices.clear();
     other.mesh.indices.clear();
     for (std::size_t t = 0; t < kinds.size(); ++t) {
-      auto& to = kinds[t] == shells::Kind::closed && !is_masked ? closed.mesh.indices : other.mesh.indices;
+      auto& to =
+          kinds[t] == processors::second_depth::Kind::closed && !is_masked ? closed.mesh.indices : other.mesh.indices;
       to.insert(to.end(), &there.indices[3 * t], &there.indices[3 * t] + 3);
     }
     for (const Piece& piece : {closed, other}) {
@@ -246,4 +247,4 @@ TEST_F(SecondDepthOnDevice, ResolvesItsOwnDepthsAsTheHeaderDoes) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_device_test

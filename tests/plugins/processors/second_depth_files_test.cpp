@@ -9,14 +9,14 @@
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/side_files.h>
 #include <foredraw/report/inspection.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::second_depth_files_test {
 namespace {
 
 using testing::GltfJson;
@@ -107,4 +107,4 @@ TEST(SecondDepthFiles, HaveTheShadersBeside) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_files_test

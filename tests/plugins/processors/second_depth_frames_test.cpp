@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::second_depth_frames_test {
 namespace {
 
 using testing::edge_of;
@@ -232,4 +232,4 @@ TEST(SecondDepthFrames, EveryFormatOfDepthGains) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_frames_test

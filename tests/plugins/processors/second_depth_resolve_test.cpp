@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace foredraw {
+namespace foredraw::second_depth_resolve_test {
 namespace {
 
 using testing::edge_of;
@@ -136,4 +136,4 @@ TEST(SecondDepthResolve, BlendsAcrossTheNearerEdgeByWhatLiesBehindIt) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_resolve_test

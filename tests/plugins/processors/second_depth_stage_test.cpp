@@ -8,7 +8,7 @@
 #include "support/staged.h"
 
 #include <foredraw/scene/reorder.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@
 #include <array>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::second_depth_stage_test {
 namespace {
 
 using testing::box;
@@ -281,4 +281,4 @@ TEST(SecondDepth, LeavesTheRangesOfOtherProductsWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_stage_test

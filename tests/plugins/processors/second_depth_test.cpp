@@ -14,16 +14,16 @@
 #include <limits>
 #include <numbers>
 
-namespace foredraw {
+namespace foredraw::second_depth_test {
 namespace {
 
-using shells::Kind;
+using processors::second_depth::Kind;
 using testing::box;
 using testing::joined;
 using testing::TestMesh;
 
 std::vector<Kind> kinds_of(const TestMesh& mesh) {
-  return shells::kinds_of(mesh.positions, welded(mesh.positions), mesh.indices);
+  return processors::second_depth::kinds_of(mesh.positions, welded(mesh.positions), mesh.indices);
 }
 
 /// So many triangles of one kind behind the other.
@@ -45,7 +45,7 @@ TestMesh without_first(TestMesh mesh, std::size_t triangles) {
 
 TEST(Shells, WholeOnesAreClosedAndOthersOpen) {
   EXPECT_EQ(kinds_of(box()), kinds({{12, Kind::closed}}));
-  EXPECT_EQ(kinds_of(testing::closed_torus(24, 12)), kinds({{576, Kind::closed}}));
+  EXPECT_EQ(kinds_of(testing::closed_torus(24, 12, 1, 0.4f)), kinds({{576, Kind::closed}}));
   EXPECT_EQ(kinds_of(testing::closed_sphere(24, 12)), kinds({{528, Kind::closed}}));
   EXPECT_EQ(kinds_of(testing::torus(24, 12)), kinds({{576, Kind::open}})) << "its seam does not meet in the last bits";
   EXPECT_EQ(kinds_of(without_first(box(), 1)), kinds({{11, Kind::open}}));
@@ -149,10 +149,10 @@ TEST(Shells, AreTheSameAtAnyNumberOfThreads) {
   many = testing::shuffled(many, 4);
   const auto points = welded(many.positions);
   const Executor one(1), four(4);
-  const auto alone = shells::kinds_of(many.positions, points, many.indices, {.executor = &one});
-  EXPECT_EQ(shells::kinds_of(many.positions, points, many.indices, {.executor = &four}), alone);
+  const auto alone = processors::second_depth::kinds_of(many.positions, points, many.indices, {.executor = &one});
+  EXPECT_EQ(processors::second_depth::kinds_of(many.positions, points, many.indices, {.executor = &four}), alone);
   EXPECT_GT(std::ranges::count(alone, Kind::closed), 200);
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_test

@@ -6,16 +6,16 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::sides_choices_test {
 namespace {
 
-using sides::Choice, sides::Plan, sides::Side, sides::Sided;
-using sides::front, sides::back, sides::both;
+using processors::sides::Choice, processors::sides::Plan, processors::sides::Side, processors::sides::Sided;
+using processors::sides::front, processors::sides::back, processors::sides::both;
 
 /// Prices of a triangle and of a draw call, in fragments, where nothing else is said.
 Plan plan(const std::vector<Side>& wanted, const std::vector<double>& gains, double price = 1, double call = 10,
           bool may_split = true) {
-  return sides::cheapest_plan({wanted, gains, 0}, price, call, may_split);
+  return processors::sides::cheapest_plan({wanted, gains, 0}, price, call, may_split);
 }
 
 TEST(SidesChoices, WhereNoBackIsSeenNothingIsAdded) {
@@ -62,10 +62,11 @@ TEST(SidesChoices, TheScenesTrianglesGoWhereTheyGainMost) {
     hose[t] = 200;
   }
   const std::map<DrawId, Sided> draws{{0, {all, sail, 70}}, {1, {all, hull, 70}}, {2, {all, hose, 70}}};
-  const sides::Sizes scene{.triangles = 1000, .vertices = 700, .visible = 10'000};  // a triangle costs one fragment
+  const processors::sides::Sizes scene{
+      .triangles = 1000, .vertices = 700, .visible = 10'000};  // a triangle costs one fragment
   const auto added = [&](double most) {
     std::vector<std::size_t> result;
-    for (const auto& [id, plan] : sides::plans(draws, scene, {.most_added = most, .vertex_weight = 0.1}))
+    for (const auto& [id, plan] : processors::sides::plans(draws, scene, {.most_added = most, .vertex_weight = 0.1}))
       result.push_back(plan.added);
     return result;
   };
@@ -73,24 +74,25 @@ TEST(SidesChoices, TheScenesTrianglesGoWhereTheyGainMost) {
   EXPECT_EQ(added(0.15), (std::vector<std::size_t>{0, 50, 100}));
   EXPECT_EQ(added(0.1), (std::vector<std::size_t>{0, 0, 100}));
   EXPECT_EQ(added(0.05), (std::vector<std::size_t>{0, 0, 0}));
-  const auto plans = sides::plans(draws, scene, {.most_added = 0.15, .vertex_weight = 0.1});
+  const auto plans = processors::sides::plans(draws, scene, {.most_added = 0.15, .vertex_weight = 0.1});
   EXPECT_FALSE(plans.at(1).stays[99]);
   EXPECT_TRUE(plans.at(1).stays[0]);
-  EXPECT_EQ(sides::plans(draws, scene, {.most_added = 0.15, .vertex_weight = 0.1, .split = false}).at(1).choice,
-            Choice::left);
+  EXPECT_EQ(
+      processors::sides::plans(draws, scene, {.most_added = 0.15, .vertex_weight = 0.1, .split = false}).at(1).choice,
+      Choice::left);
 }
 
 TEST(SidesChoices, VerticesHaveTheWeightThatTheyAreGiven) {
   const std::vector<Side> wanted{both, front};
   const std::vector<double> gains{1, 0};
   const std::map<DrawId, Sided> draws{{0, {wanted, gains, 1.4}}};
-  const sides::Sizes scene{.triangles = 2, .vertices = 7, .visible = 90};
+  const processors::sides::Sizes scene{.triangles = 2, .vertices = 7, .visible = 90};
   const auto choice = [&](double weight) {
-    return sides::plans(draws, scene, {.most_added = 1, .vertex_weight = weight}).at(0).choice;
+    return processors::sides::plans(draws, scene, {.most_added = 1, .vertex_weight = weight}).at(0).choice;
   };
   EXPECT_EQ(choice(0.1), Choice::copies);  // .9 fragments
   EXPECT_EQ(choice(0.2), Choice::left);
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_choices_test

@@ -8,7 +8,7 @@
 
 #include <atomic>
 
-namespace foredraw {
+namespace foredraw::sides_files_test {
 namespace {
 
 using testing::box_corners, testing::box_file, testing::box_primitive, testing::decoded;
@@ -149,4 +149,4 @@ TEST(SidesFiles, ACancelledRunStopsSoonAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_files_test

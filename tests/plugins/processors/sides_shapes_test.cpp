@@ -19,10 +19,10 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::sides_shapes_test {
 namespace {
 
-using sides::Side;
+using processors::sides::Side;
 using testing::TestMesh;
 
 TestMesh body(glm::vec3 half = {1, 1, 1}, glm::vec3 centre = {0, 0, 0}) {
@@ -123,10 +123,10 @@ Scene double_sided_scene(const TestMesh& mesh) {
 
 std::vector<Side> found(const Scene& scene) {
   testing::RunFixture fixture;
-  sides::SideSearchOptions options{.rays = 64, .checks = 40, .views = {{}, 96}};
+  processors::sides::SideSearchOptions options{.rays = 64, .checks = 40, .views = {{}, 96}};
   for (const glm::dvec3& direction : fibonacci_directions(40)) options.views.views.push_back({direction});
   const DrawId asked[] = {0};
-  return sides::find_sides(scene, asked, options, fixture.analyses, fixture.executor).wanted.at(0);
+  return processors::sides::find_sides(scene, asked, options, fixture.analyses, fixture.executor).wanted.at(0);
 }
 
 struct Seen {
@@ -139,8 +139,8 @@ Seen seen(const TestMesh& mesh) {
   const Scene before = double_sided_scene(mesh);
   const std::vector<Side> wanted = found(before);
   Scene after = before;
-  sides::SingleSidedMaterials materials(after);
-  sides::make_single_sided(after, 0, wanted, materials);
+  processors::sides::SingleSidedMaterials materials(after);
+  processors::sides::make_single_sided(after, 0, wanted, materials);
   EXPECT_FALSE(after.material_of(after.draws[0])->double_sided);
   const testing::Looks looks = testing::compared(before, after, {.pictures = 60, .size = 200}, Executor(2));
   EXPECT_GT(looks.shown, 100000u);
@@ -149,7 +149,9 @@ Seen seen(const TestMesh& mesh) {
   EXPECT_EQ(looks.coloured, 0u);
   Seen result;
   for (const Side sides : wanted)
-    ++(sides == sides::front ? result.fronts : sides == sides::both ? result.both : result.backs);
+    ++(sides == processors::sides::front  ? result.fronts
+       : sides == processors::sides::both ? result.both
+                                          : result.backs);
   return result;
 }
 
@@ -190,21 +192,21 @@ TEST(SidesShapes, OddTrianglesDoNoHarm) {
   EXPECT_GT(holed.both, holed.fronts);
 }
 
-sides::SideGains gains(const TestMesh& mesh, int threads, std::vector<Side> wanted = {}) {
-  wanted.resize(mesh.indices.size() / 3, sides::front);
+processors::sides::SideGains gains(const TestMesh& mesh, int threads, std::vector<Side> wanted = {}) {
+  wanted.resize(mesh.indices.size() / 3, processors::sides::front);
   Views views{{}, 64};
   for (const glm::dvec3& direction : fibonacci_directions(30)) views.views.push_back({direction});
   Analyses analyses;
-  return sides::side_gains(double_sided_scene(mesh), {{0, wanted}}, views, rest_pose, SubjectUnit::character, analyses,
-                           Executor(threads));
+  return processors::sides::side_gains(double_sided_scene(mesh), {{0, wanted}}, views, rest_pose,
+                                       SubjectUnit::character, analyses, Executor(threads));
 }
 
 /// A sheet hides nothing of itself. Of a body, each wall is in front from one side and behind from the other.
 TEST(SidesGains, AreOfTrianglesThatHideAndAreHidden) {
-  const sides::SideGains sheet = gains(testing::grid(4, 4), 1);
+  const processors::sides::SideGains sheet = gains(testing::grid(4, 4), 1);
   EXPECT_GT(sheet.visible, 0);
   EXPECT_EQ(sheet.of.at(0), std::vector<double>(32, 0));
-  const sides::SideGains box = gains(body(), 1);
+  const processors::sides::SideGains box = gains(body(), 1);
   for (const double gain : box.of.at(0)) {
     EXPECT_GT(gain, 0.02 * box.visible);
     EXPECT_LT(gain, 0.06 * box.visible) << "half of a twelfth, as backs are as often behind as fronts are in front";
@@ -215,37 +217,37 @@ TEST(SidesGains, AreOfTrianglesThatHideAndAreHidden) {
 /// What will not be drawn any more is not hidden, and hides nothing.
 TEST(SidesGains, OfCopiesAreAmongWhatIsWanted) {
   const double all_sides = gains(body(), 1).of.at(0).front();
-  const std::vector<Side> every(12, sides::both);
+  const std::vector<Side> every(12, processors::sides::both);
   EXPECT_EQ(gains(body(), 1, every).of.at(0).front(), all_sides);
-  EXPECT_EQ(gains(body(), 1, {sides::both}).of.at(0).front(), 0) << "no other back is behind its front";
-  const std::vector<double> beside = gains(body(), 1, {sides::both}).of.at(0);
+  EXPECT_EQ(gains(body(), 1, {processors::sides::both}).of.at(0).front(), 0) << "no other back is behind its front";
+  const std::vector<double> beside = gains(body(), 1, {processors::sides::both}).of.at(0);
   EXPECT_EQ(beside.back(), gains(body(), 1).of.at(0).back()) << "a back that goes saves what it cost";
 }
 
 TEST(SidesSurface, SmoothsValuesOverNeighbours) {
   const TestMesh strip{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}}, {0, 1, 2, 2, 1, 3, 2, 3, 4}};
-  const sides::Surface surface = sides::surface_of(strip.positions, strip.indices);
+  const processors::sides::Surface surface = processors::sides::surface_of(strip.positions, strip.indices);
   std::vector<double> values{6, 0, 3};
-  sides::smooth(surface, values);
+  processors::sides::smooth(surface, values);
   EXPECT_EQ(values, (std::vector<double>{3, 3, 1.5}));
 }
 
 TEST(SidesSurface, TellsWhereASurfaceEnds) {
   const TestMesh mesh = testing::joined(open_tube(), body({1, 1, 1}, {9, 0, 0}));
-  const sides::Surface surface = sides::surface_of(mesh.positions, mesh.indices);
+  const processors::sides::Surface surface = processors::sides::surface_of(mesh.positions, mesh.indices);
   EXPECT_EQ(surface.rims.size(), 16u);
   EXPECT_EQ(surface.rims_of(surface.component.front()).size(), 16u);
   EXPECT_EQ(surface.rims_of(surface.component.back()).size(), 0u);
   EXPECT_EQ(surface.opening(0).size(), 8u);
   EXPECT_EQ(surface.opening(1).size(), 8u);
-  std::vector<Side> sides(64 + 12, sides::front);
-  sides::add_rims(surface, sides);
-  EXPECT_EQ(std::ranges::count(sides, sides::both), 16);
-  std::ranges::fill(sides, sides::front);
-  sides[20] = sides::both;
-  sides::add_neighbours(surface, sides);
-  EXPECT_EQ(std::ranges::count(sides, sides::both), 4);
+  std::vector<Side> sides(64 + 12, processors::sides::front);
+  processors::sides::add_rims(surface, sides);
+  EXPECT_EQ(std::ranges::count(sides, processors::sides::both), 16);
+  std::ranges::fill(sides, processors::sides::front);
+  sides[20] = processors::sides::both;
+  processors::sides::add_neighbours(surface, sides);
+  EXPECT_EQ(std::ranges::count(sides, processors::sides::both), 4);
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_shapes_test

@@ -4,6 +4,7 @@
 #include "plugins/processors/sides/side_search.h"
 #include "plugins/processors/sides/surrounding.h"
 #include "plugins/processors/sides/turned_vertices.h"
+#include "support/collapses.h"
 #include "support/meshes.h"
 
 #include <foredraw/analysis/closed_surfaces.h>
@@ -17,10 +18,11 @@
 
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::sides_test {
 namespace {
 
-using sides::Side;
+using processors::sides::Side;
+using testing::moved;
 using testing::TestMesh;
 
 /// Outwards: a box has 12 triangles, an open one 10.
@@ -34,13 +36,8 @@ TestMesh box(float size = 1, bool is_open = false) {
   return mesh;
 }
 
-TestMesh turned(TestMesh mesh) {
+TestMesh inside_out(TestMesh mesh) {
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-  return mesh;
-}
-
-TestMesh moved(TestMesh mesh, glm::vec3 by) {
-  for (glm::vec3& at : mesh.positions) at += by;
   return mesh;
 }
 
@@ -69,8 +66,8 @@ Scene double_sided(std::vector<TestMesh> meshes) {
   return scene;
 }
 
-sides::SideSearchOptions searched() {
-  sides::SideSearchOptions options{.rays = 512, .checks = 30, .views = {{}, 96}};
+processors::sides::SideSearchOptions searched() {
+  processors::sides::SideSearchOptions options{.rays = 512, .checks = 30, .views = {{}, 96}};
   for (const glm::dvec3& direction : fibonacci_directions(40)) options.views.views.push_back({direction});
   return options;
 }
@@ -78,7 +75,7 @@ sides::SideSearchOptions searched() {
 std::vector<Side> wanted(const Scene& scene, DrawId id = 0) {
   testing::RunFixture fixture;
   const DrawId asked[] = {id};
-  return sides::find_sides(scene, asked, searched(), fixture.analyses, fixture.executor).wanted.at(id);
+  return processors::sides::find_sides(scene, asked, searched(), fixture.analyses, fixture.executor).wanted.at(id);
 }
 
 std::size_t count(const std::vector<Side>& all, Side side) {
@@ -91,10 +88,10 @@ TEST(SidesClosed, TellsBodiesFromSheets) {
     return static_cast<std::size_t>(std::ranges::count(is, true));
   };
   EXPECT_EQ(closed(box()), 12u);
-  EXPECT_EQ(closed(turned(box())), 0u);
+  EXPECT_EQ(closed(inside_out(box())), 0u);
   EXPECT_EQ(closed(box(1, true)), 0u);
   EXPECT_EQ(closed(moved(box(), {1000, 2000, -5000})), 12u);
-  EXPECT_EQ(closed(testing::joined(box(), moved(turned(box()), {5, 0, 0}))), 12u);
+  EXPECT_EQ(closed(testing::joined(box(), moved(inside_out(box()), {5, 0, 0}))), 12u);
   EXPECT_EQ(closed(testing::grid(3, 3)), 0u);
   TestMesh one_turned = box();
   std::swap(one_turned.indices[1], one_turned.indices[2]);
@@ -105,37 +102,39 @@ TEST(SidesClosed, TellsBodiesFromSheets) {
 }
 
 TEST(Sides, OfAClosedBodyOnlyTheFrontsAreSeen) {
-  EXPECT_EQ(count(wanted(double_sided({box()})), sides::front), 12u);
-  EXPECT_EQ(count(wanted(double_sided({testing::torus(20, 12)})), sides::front), 20u * 12 * 2);
+  EXPECT_EQ(count(wanted(double_sided({box()})), processors::sides::front), 12u);
+  EXPECT_EQ(count(wanted(double_sided({testing::torus(20, 12)})), processors::sides::front), 20u * 12 * 2);
 }
 
 TEST(Sides, OfAnOpenBodyTheInsideIsSeen) {
   const std::vector<Side> open = wanted(double_sided({box(1, true)}));
-  EXPECT_EQ(count(open, sides::both), 10u);
+  EXPECT_EQ(count(open, processors::sides::both), 10u);
   const std::vector<Side> hose = wanted(double_sided({tube(40)}));
-  EXPECT_GT(count(hose, sides::both), 0u);
-  EXPECT_GT(count(hose, sides::front), 0u);
+  EXPECT_GT(count(hose, processors::sides::both), 0u);
+  EXPECT_GT(count(hose, processors::sides::front), 0u);
 }
 
 TEST(Sides, WhatIsInsideOutIsTurned) {
-  EXPECT_EQ(count(wanted(double_sided({turned(box())})), sides::back), 12u);
-  const std::vector<Side> two = wanted(double_sided({testing::joined(box(), moved(turned(box()), {5, 0, 0}))}));
-  EXPECT_EQ(count(two, sides::front), 12u);
-  EXPECT_EQ(count(two, sides::back), 12u);
+  EXPECT_EQ(count(wanted(double_sided({inside_out(box())})), processors::sides::back), 12u);
+  const std::vector<Side> two = wanted(double_sided({testing::joined(box(), moved(inside_out(box()), {5, 0, 0}))}));
+  EXPECT_EQ(count(two, processors::sides::front), 12u);
+  EXPECT_EQ(count(two, processors::sides::back), 12u);
 }
 
-TEST(Sides, ASheetNeedsBoth) { EXPECT_EQ(count(wanted(double_sided({testing::grid(4, 4)})), sides::both), 32u); }
+TEST(Sides, ASheetNeedsBoth) {
+  EXPECT_EQ(count(wanted(double_sided({testing::grid(4, 4)})), processors::sides::both), 32u);
+}
 
 /// A hole that no picture of 96 pixels shows.
 TEST(Sides, RaysFindWhatPicturesMiss) {
   TestMesh room = testing::sphere(64, 33);
   room.indices.erase(room.indices.begin() + 3000, room.indices.begin() + 3003);
-  EXPECT_GT(count(wanted(double_sided({room})), sides::both), 0u);
+  EXPECT_GT(count(wanted(double_sided({room})), processors::sides::both), 0u);
 }
 
 TEST(Sides, SingleSidedMeshesDrawEachSideOnce) {
   const std::vector<std::uint32_t> indices = {0, 1, 2, 2, 1, 3, 4, 5, 6};
-  const Side sides[] = {sides::both, sides::front, sides::back};
+  const Side sides[] = {processors::sides::both, processors::sides::front, processors::sides::back};
   const SingleSided made = single_sided(indices, 7, sides);
   EXPECT_EQ(made.triangles, (std::vector<std::uint32_t>{0, 1, 0, 2}));
   EXPECT_EQ(made.copies, (std::vector<std::uint32_t>{0, 2, 1, 4, 6, 5}));
@@ -161,7 +160,7 @@ TEST(Sides, CopiesHaveTheirNormalsTurned) {
                   {"TANGENT", {Component::float32, 4, false, 16}, floats({1, 0, 0, 1, 0, 1, 0, -1})}};
   streams.morph_targets = {{{"NORMAL", {Component::float32, 3, false, 12}, floats({0, 0, 1, 0, 2, 0})}}};
   const std::uint32_t copies[] = {1, 0};
-  const auto made = sides::with_turned_copies(streams, copies);
+  const auto made = processors::sides::with_turned_copies(streams, copies);
   EXPECT_EQ(made->count, 4u);
   EXPECT_EQ(made->base[0].bytes, floats({1, 2, 3, 4, 5, 6, 4, 5, 6, 1, 2, 3}));
   EXPECT_EQ(decode_component(made->base[1], 2, 0), decode_component(made->base[1], 1, 0) * -1);
@@ -177,7 +176,7 @@ TEST(Sides, CopiesOfTangentsOfNoLengthGetOne) {
   streams.base = {{"NORMAL", {Component::float32, 3, false, 12}, floats({0, 3, 4, 1, 0, 0})},
                   {"TANGENT", {Component::float32, 4, false, 16}, floats({0, 0, 0, 1, 0, 0, 0, -1})}};
   const std::uint32_t copies[] = {0, 1};
-  const auto made = sides::with_turned_copies(streams, copies);
+  const auto made = processors::sides::with_turned_copies(streams, copies);
   const float tangents[] = {0, 0, 0, 1, 0, 0, 0, -1, 0, .8f, -.6f, -1, 0, -1, 0, 1};
   for (std::size_t i = 0; i < std::size(tangents); ++i)
     EXPECT_EQ(decode_component(made->base[1], i / 4, i % 4), tangents[i]) << i;
@@ -197,19 +196,20 @@ Scene placed(std::vector<TestMesh> meshes, std::vector<glm::vec3> at) {
 TEST(SidesSurrounding, SkiesAndRoomsSurroundWhatIsInThem) {
   const Executor executor(2);
   const Scene sky = placed({testing::sphere(24, 13, 100), box()}, {{0, 0, 0}, {10, 0, 0}});
-  EXPECT_EQ(sides::surrounding_draws(sky, executor), (std::vector<bool>{true, false}));
-  const Scene room = placed({turned(box(10)), box(), box()}, {{0, 0, 0}, {3, 0, 0}, {-3, 1, 0}});
-  EXPECT_EQ(sides::surrounding_draws(room, executor), (std::vector<bool>{false, false, false}));  // its fronts are seen
+  EXPECT_EQ(processors::sides::surrounding_draws(sky, executor), (std::vector<bool>{true, false}));
+  const Scene room = placed({inside_out(box(10)), box(), box()}, {{0, 0, 0}, {3, 0, 0}, {-3, 1, 0}});
+  EXPECT_EQ(processors::sides::surrounding_draws(room, executor),
+            (std::vector<bool>{false, false, false}));  // its fronts are seen
   const Scene helmet = placed({testing::sphere(24, 13, 1.2f), box(0.7f)}, {{0, 0, 0}, {0, 0, 0}});
-  EXPECT_EQ(sides::surrounding_draws(helmet, executor), (std::vector<bool>{false, false}));
+  EXPECT_EQ(processors::sides::surrounding_draws(helmet, executor), (std::vector<bool>{false, false}));
   Scene tunnel = placed({testing::torus(40, 12, 10, 2)}, {{0, 0, 0}});
-  EXPECT_EQ(sides::surrounding_draws(tunnel, executor), (std::vector<bool>{false}));
+  EXPECT_EQ(processors::sides::surrounding_draws(tunnel, executor), (std::vector<bool>{false}));
   Node camera;
   camera.has_camera = true;
   camera.transform.translation = {10, 0, 0};
   tunnel.nodes.push_back(camera);
-  EXPECT_EQ(sides::surrounding_draws(tunnel, executor), (std::vector<bool>{true}));
+  EXPECT_EQ(processors::sides::surrounding_draws(tunnel, executor), (std::vector<bool>{true}));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::sides_vetoes_test {
 namespace {
 
 using testing::changes, testing::decoded, testing::with_fewer_sides;
@@ -80,4 +80,4 @@ TEST(SidesVetoes, ASharedMaterialIsCopied) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_vetoes_test

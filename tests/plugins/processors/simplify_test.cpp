@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::simplify_test {
 namespace {
 
 JoinedMesh joined(const testing::TestMesh& mesh) {
@@ -71,4 +71,4 @@ TEST_F(Simplify, TheFirstLimitCounts) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::simplify_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::skin_slots_test {
 namespace {
 
 using ::testing::ElementsAreArray;
@@ -129,4 +129,4 @@ TEST(SkinSlotsStage, CompressedFilesAreShorter) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::skin_slots_test

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::sprite_frames_test {
 namespace {
 
 /// Of rows of text: what is no space shows.
@@ -321,4 +321,4 @@ TEST(SpriteFrames, leaves_alone_what_can_not_be_cut_and_says_why) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_frames_test

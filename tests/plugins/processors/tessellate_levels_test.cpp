@@ -16,7 +16,7 @@
 #include <map>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::tessellate_levels_test {
 namespace {
 
 using Place = std::tuple<float, float, float>;
@@ -166,4 +166,4 @@ TEST(TessellateLevels, GoThroughFiles) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellate_levels_test

@@ -13,7 +13,7 @@
 #include <map>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::tessellate_test {
 namespace {
 
 /// A sphere of radius 1 whose map is 0 all over but in one hill.
@@ -232,4 +232,4 @@ TEST(Tessellate, ShowsTheTrueHeightsOfASphereInTurnedCharts) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellate_test

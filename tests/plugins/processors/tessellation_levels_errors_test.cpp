@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::tessellation_levels_errors_test {
 namespace {
 
 using testing::chosen;
@@ -160,4 +160,4 @@ TEST(TessellationLevels, OfAParabolaHaveTheErrorThatItHas) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellation_levels_errors_test

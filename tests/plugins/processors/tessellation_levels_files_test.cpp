@@ -18,7 +18,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::tessellation_levels_files_test {
 namespace {
 
 using testing::GltfJson;
@@ -182,4 +182,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellation_levels_files_test

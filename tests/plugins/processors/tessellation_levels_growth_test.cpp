@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::tessellation_levels_growth_test {
 namespace {
 
 /// The largest peak over what was held, by the system's own count.
@@ -56,4 +56,4 @@ TEST(TessellationLevelsGrowth, TakeAtMost150BytesATriangle) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellation_levels_growth_test

@@ -15,7 +15,7 @@
 #include <map>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::tessellation_levels_stage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -228,4 +228,4 @@ TEST(TessellationLevelsStage, ReplacesWhatThereWas) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellation_levels_stage_test

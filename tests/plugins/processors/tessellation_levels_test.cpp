@@ -10,7 +10,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace foredraw {
+namespace foredraw::tessellation_levels_test {
 namespace {
 
 using testing::chosen;
@@ -250,4 +250,4 @@ TEST(TessellationLevels, ShareABudgetBetweenTheDrawsOfAMesh) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellation_levels_test

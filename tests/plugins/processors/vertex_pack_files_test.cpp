@@ -12,7 +12,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_files_test {
 namespace {
 
 using testing::GltfJson;
@@ -227,4 +227,4 @@ TEST(PackedFiles, WhereNothingIsPackedAnErrorTellsWhatToDo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_files_test

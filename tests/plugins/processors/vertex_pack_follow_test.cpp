@@ -1,12 +1,12 @@
 // What becomes of packed vertices behind later stages.
 #include "support/packed_scenes.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_follow_test {
 namespace {
 
 using testing::framed_scene;
@@ -47,4 +47,4 @@ TEST(PackedVerticesFollow, IsLeftOutWhereVerticesWereMadeAnew) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_follow_test

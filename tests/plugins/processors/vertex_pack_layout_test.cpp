@@ -3,7 +3,7 @@
 
 #include "support/packed_vertices.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 #include <array>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_layout_test {
 namespace {
 
-using packing::best_layout;
-using packing::Demand;
+using processors::vertex_pack::best_layout;
+using processors::vertex_pack::Demand;
 
 /// E of the layout: how far a displaced point is off at most.
 double displaced_error(const PackedLayout& layout, const Demand& demand) {
@@ -48,9 +48,9 @@ std::optional<PackedLayout> by_chance(const Demand& demand, Random& random) {
   layout.step = static_cast<float>(std::ldexp(1.0, exponent));
   std::array<std::uint32_t, FOREDRAW_PACKED_FIELDS> bits{};
   for (int i = 0; i < 3; ++i) {
-    const double steps = std::nearbyint(std::ldexp(demand.box.most[i], -exponent)) -
-                         std::nearbyint(std::ldexp(demand.box.least[i], -exponent));
-    const double farthest = std::max(std::abs(demand.box.least[i]), std::abs(demand.box.most[i]));
+    const double steps = std::nearbyint(std::ldexp(demand.box.max[i], -exponent)) -
+                         std::nearbyint(std::ldexp(demand.box.min[i], -exponent));
+    const double farthest = std::max(std::abs(demand.box.min[i]), std::abs(demand.box.max[i]));
     if (std::ldexp(farthest, -exponent) > 0x1p24) return std::nullopt;  // floats do not hold it
     bits[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(std::max(1.0, std::ceil(std::log2(steps + 1))));
   }
@@ -68,7 +68,7 @@ std::optional<PackedLayout> by_chance(const Demand& demand, Random& random) {
     layout.field[f] = {word, used[word], bits[f]};
     used[word] += bits[f];
   }
-  packing::set_uv_lattice(layout, glm::dvec2(0), demand.uv_extent);
+  processors::vertex_pack::set_uv_lattice(layout, glm::dvec2(0), demand.uv_extent);
   return layout;
 }
 
@@ -96,14 +96,14 @@ TEST(PackedLayoutSearch, EveryPointOfTheBoxIsOnItsLattice) {
   Random random(6);
   for (int i = 0; i < 200; ++i) {
     Demand demand = random_demand(random);
-    if (i % 5 == 0) demand.box.most.y = demand.box.least.y;  // flat
-    if (i % 7 == 0) demand.box = {demand.box.least, demand.box.least};
+    if (i % 5 == 0) demand.box.max.y = demand.box.min.y;  // flat
+    if (i % 7 == 0) demand.box = {demand.box.min, demand.box.min};
     const PackedLayout layout = best_layout(demand).value();
     ASSERT_TRUE(foredraw_packed_is_layout(&layout));
     for (int corner = 0; corner < 8; ++corner) {
       foredraw_packed_vertex vertex{{0, 0, 0}, {0, 0, 1}, {1, 0, 0, 1}, {0, 0}};
       for (int c = 0; c < 3; ++c) {
-        vertex.position[c] = static_cast<float>((corner >> c & 1) != 0 ? demand.box.most[c] : demand.box.least[c]);
+        vertex.position[c] = static_cast<float>((corner >> c & 1) != 0 ? demand.box.max[c] : demand.box.min[c]);
       }
       std::uint32_t row[4];
       EXPECT_EQ(foredraw_packed_encode(&layout, &vertex, row), 0u);
@@ -159,7 +159,7 @@ TEST(PackedLayoutSearch, TextureCoordinatesHaveALatticeOfTheirOwn) {
   PackedLayout layout = testing::unit_layout();
   for (const glm::dvec2 range :
        {glm::dvec2(0, 1), glm::dvec2(-3, 5), glm::dvec2(1000, 1000.5), glm::dvec2(0.25, 0.25)}) {
-    ASSERT_TRUE(packing::set_uv_lattice(layout, glm::dvec2(range.x), glm::dvec2(range.y)));
+    ASSERT_TRUE(processors::vertex_pack::set_uv_lattice(layout, glm::dvec2(range.x), glm::dvec2(range.y)));
     ASSERT_TRUE(foredraw_packed_is_layout(&layout));
     const double bound = packed_bounds(layout).u;
     for (int i = 0; i <= 10'000; ++i) {
@@ -171,8 +171,8 @@ TEST(PackedLayoutSearch, TextureCoordinatesHaveALatticeOfTheirOwn) {
       ASSERT_LE(std::abs(static_cast<double>(again.uv[0]) - static_cast<double>(u)), bound) << u;
     }
   }
-  EXPECT_FALSE(packing::set_uv_lattice(layout, glm::dvec2(0), glm::dvec2(1e30)));
+  EXPECT_FALSE(processors::vertex_pack::set_uv_lattice(layout, glm::dvec2(0), glm::dvec2(1e30)));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_layout_test

@@ -4,14 +4,14 @@
 #include "support/displaced.h"
 #include "support/staged.h"
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_relief_test {
 namespace {
 
 /// 8 by 4 texels that rise by 1000 a texel along u and by 3000 along v; heights from 2000 to 18000.
@@ -23,11 +23,11 @@ Image ramp() {
 TEST(VertexPackRelief, IsThatOfTheMap) {
   Analyses analyses;
   const Scene scene = testing::displaced_grid(4, 4, ramp(), 2, -0.1f);
-  const auto relief = packing::relief_of(scene, 0, analyses);
+  const auto relief = processors::vertex_pack::relief_of(scene, 0, analyses);
   ASSERT_TRUE(relief);
   EXPECT_NEAR(relief->displacement, 2 * 18000 / 65535.0 - 0.1, 1e-7);
   EXPECT_NEAR(relief->slope.value(), 2 * std::hypot(8 * 1000, 4 * 3000) / 65535, 1e-7);
-  const auto inwards = packing::relief_of(testing::displaced_grid(4, 4, ramp(), 2, -5), 0, analyses);
+  const auto inwards = processors::vertex_pack::relief_of(testing::displaced_grid(4, 4, ramp(), 2, -5), 0, analyses);
   EXPECT_NEAR(inwards->displacement, 5 - 2 * 2000 / 65535.0, 1e-6);
 }
 
@@ -35,14 +35,14 @@ TEST(VertexPackRelief, OfAMapThatCanNotBeReadIsWhatTheMaterialSays) {
   Analyses analyses;
   Scene scene = testing::displaced_grid(4, 4, ramp(), 2, -0.5f);
   scene.materials[0].displacement->texture.image = 7;
-  const auto relief = packing::relief_of(scene, 0, analyses);
+  const auto relief = processors::vertex_pack::relief_of(scene, 0, analyses);
   ASSERT_TRUE(relief);
   EXPECT_DOUBLE_EQ(relief->displacement, 1.5);
   EXPECT_FALSE(relief->slope);
   scene.materials[0].displacement->factor = std::numeric_limits<float>::infinity();
-  EXPECT_FALSE(packing::relief_of(scene, 0, analyses));
+  EXPECT_FALSE(processors::vertex_pack::relief_of(scene, 0, analyses));
   scene.materials[0].displacement.reset();
-  EXPECT_FALSE(packing::relief_of(scene, 0, analyses));
+  EXPECT_FALSE(processors::vertex_pack::relief_of(scene, 0, analyses));
 }
 
 std::uint32_t normal_bits(float factor, const std::string& options) {
@@ -64,4 +64,4 @@ TEST(VertexPackRelief, SharesOutTheBits) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_relief_test

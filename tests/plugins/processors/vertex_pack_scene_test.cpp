@@ -4,7 +4,7 @@
 #include "support/other_units.h"
 #include "support/packed_scenes.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -16,7 +16,7 @@
 #include <limits>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_scene_test {
 namespace {
 
 using testing::framed_scene;
@@ -299,12 +299,12 @@ TEST(VertexPackScene, TangentsThatAreNoneComeOutAsSome) {
 TEST(VertexPackScene, IsTheSameAtAnyNumberOfThreads) {
   const Scene scene = testing::BendingTube().scene();
   const std::vector<Subject> subjects = subjects_of(scene);
-  const auto groups = packing::posed_groups(scene, subjects);
+  const auto groups = processors::vertex_pack::posed_groups(scene, subjects);
   const Poses poses = make_poses(scene, {.rate = 30});
-  const packing::Box one = packing::posed_boxes(scene, groups, poses, Executor(1)).at(0);
-  const packing::Box many = packing::posed_boxes(scene, groups, poses, Executor(5)).at(0);
-  EXPECT_EQ(one.least, many.least);
-  EXPECT_EQ(one.most, many.most);
+  const Box<glm::dvec3> one = processors::vertex_pack::posed_boxes(scene, groups, poses, Executor(1)).at(0);
+  const Box<glm::dvec3> many = processors::vertex_pack::posed_boxes(scene, groups, poses, Executor(5)).at(0);
+  EXPECT_EQ(one.min, many.min);
+  EXPECT_EQ(one.max, many.max);
 }
 
 TEST(VertexPackScene, ThePapersAnglesAreAMethod) {
@@ -316,4 +316,4 @@ TEST(VertexPackScene, ThePapersAnglesAreAMethod) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_scene_test

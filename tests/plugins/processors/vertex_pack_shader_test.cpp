@@ -20,11 +20,11 @@
 #include <foredraw/gpu/storage_sets.h>
 #endif
 
-namespace foredraw {
+namespace foredraw::vertex_pack_shader_test {
 namespace {
 
-using packing::packed_shader_head;
-using packing::packed_shader_text;
+using processors::vertex_pack::packed_shader_head;
+using processors::vertex_pack::packed_shader_text;
 
 /// Whether the compiler takes it; `name`.spv is what it makes. Its output tells why not.
 bool compiles(const std::filesystem::path& folder, const std::string& name, const std::string& text,
@@ -132,13 +132,13 @@ struct Wanted {
 
 std::vector<PackedLayout> layouts() {
   std::vector<PackedLayout> all{testing::unit_layout(), testing::unit_layout(true)};
-  packing::Demand demand = testing::unit_demand();
+  processors::vertex_pack::Demand demand = testing::unit_demand();
   demand.box.add({-300, 20, 1});
   demand.tangents = false;
-  all.push_back(packing::best_layout(demand).value());
-  packing::set_uv_lattice(all.back(), {-2, 0.25}, {3, 0.5});
+  all.push_back(processors::vertex_pack::best_layout(demand).value());
+  processors::vertex_pack::set_uv_lattice(all.back(), {-2, 0.25}, {3, 0.5});
   demand.normals = demand.uvs = false;
-  all.push_back(packing::best_layout(demand).value());
+  all.push_back(processors::vertex_pack::best_layout(demand).value());
   return all;
 }
 
@@ -211,4 +211,4 @@ TEST_F(PackedOnDevice, DecodesAndEncodesToTheBitsOfTheHeader) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_shader_test

@@ -4,14 +4,14 @@
 #include "support/packed_vertices.h"
 #include "support/vector_widths.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_test {
 namespace {
 
 using testing::degrees_between;
@@ -239,4 +239,4 @@ TEST(VertexPack, AxesKeepTheirDirectionExactly) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_test

@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace foredraw {
+namespace foredraw::weld_test {
 namespace {
 
 VertexStream bytes_stream(std::string semantic, const std::vector<std::uint8_t>& values) {
@@ -77,4 +77,4 @@ RC_GTEST_PROP(Weld, LeavesOneVertexForEachContent, (const std::vector<std::uint8
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::weld_test

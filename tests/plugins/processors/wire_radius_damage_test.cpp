@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::wire_radius_damage_test {
 namespace {
 
 using testing::GltfJson;
@@ -105,4 +105,4 @@ TEST(WireRadiusFiles, WrongTextureCoordinatesAreLeftOut) {
   }
 }
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_damage_test

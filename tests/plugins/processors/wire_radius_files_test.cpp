@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::wire_radius_files_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST(WireRadiusFiles, ShadersAreWritten) {
   }
 }
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_files_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::wire_radius_hostile_test {
 namespace {
 
 using testing::HostileWire;
@@ -80,4 +80,4 @@ TEST(WireRadiusHostile, CancelEndsIt) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_hostile_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::wire_radius_pictures_test {
 namespace {
 
 constexpr FrameSize size{72, 72};
@@ -89,4 +89,4 @@ TEST(WireRadiusPictures, ALampPostHasNoCrackAtItsHeadFromAnyDistance) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_pictures_test

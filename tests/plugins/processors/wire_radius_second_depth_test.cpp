@@ -1,12 +1,12 @@
 // Draws that have wires and closed shells.
 #include "support/wire_scenes.h"
 
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::wire_radius_second_depth_test {
 namespace {
 
 using testing::triangles_of;
@@ -50,4 +50,4 @@ TEST(WireRadiusFiles, ShellsComeFirstAndWiresLastInEitherSequence) {
   }
 }
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_second_depth_test

@@ -8,14 +8,14 @@
 #include "support/staged.h"
 
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/scene/wires.h>
+#include <foredraw/wires/wires.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace foredraw {
+namespace foredraw::wire_radius_stage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -185,4 +185,4 @@ TEST(WireRadiusStage, SixteenBitsStaySixteen) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_stage_test

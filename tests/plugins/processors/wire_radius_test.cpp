@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::wire_radius_test {
 namespace {
 
 using bench::KnownMesh;
@@ -279,4 +279,4 @@ TEST(WireRadius, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_test

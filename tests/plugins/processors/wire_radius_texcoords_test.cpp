@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::wire_radius_texcoords_test {
 namespace {
 
 using testing::GltfJson;
@@ -61,4 +61,4 @@ TEST(WireRadiusFiles, GoIntoTextureCoordinates) {
   EXPECT_NE(out.draws[0].full().vertices->find("TEXCOORD_0"), nullptr);
 }
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_texcoords_test

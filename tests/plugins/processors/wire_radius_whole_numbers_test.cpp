@@ -14,7 +14,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::wire_radius_whole_numbers_test {
 namespace {
 
 bench::KnownMesh antenna() {
@@ -24,7 +24,7 @@ bench::KnownMesh antenna() {
   throw std::invalid_argument("antenna on a body");
 }
 
-Scene read(const testing::GltfBuilder& builder) {
+Scene read_built(const testing::GltfBuilder& builder) {
   Diagnostics diagnostics;
   auto scene = read_gltf(builder.glb(), "scene.glb", {}, diagnostics);
   if (!scene) throw std::runtime_error(to_text(diagnostics));
@@ -55,7 +55,7 @@ TEST(WireRadiusFiles, WiresOfWholeNumbersAreInTheirSteps) {
   builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"KHR_mesh_quantization"};
 
   Diagnostics diagnostics;
-  const Scene of_whole = testing::run("wire-radius", read(builder)).scene;
+  const Scene of_whole = testing::run("wire-radius", read_built(builder)).scene;
   const auto files = encode_gltf(of_whole, "out.glb", diagnostics, {.products = {wires_product()}});
   ASSERT_TRUE(files) << to_text(diagnostics);
   const auto again = read_gltf(files->front().bytes, "out.glb", {}, diagnostics, {.products = {wires_product()}});
@@ -68,7 +68,7 @@ TEST(WireRadiusFiles, WiresOfWholeNumbersAreInTheirSteps) {
   plain.json["accessors"][floats]["min"] = {-100, -100, -100};
   plain.json["accessors"][floats]["max"] = {100, 100, 100};
   plain.add_mesh({{"attributes", {{"POSITION", floats}}}, {"indices", plain.add_values(mesh.indices, "SCALAR")}});
-  const Scene of_floats = testing::run("wire-radius", read(plain)).scene;
+  const Scene of_floats = testing::run("wire-radius", read_built(plain)).scene;
   const Wires *found = again->products.find<Wires>(), *want = of_floats.products.find<Wires>();
   ASSERT_TRUE(found != nullptr && want != nullptr);
   ASSERT_EQ(found->draws[0].wires.size(), want->draws[0].wires.size());
@@ -77,4 +77,4 @@ TEST(WireRadiusFiles, WiresOfWholeNumbersAreInTheirSteps) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_whole_numbers_test

@@ -6,11 +6,12 @@
 
 namespace foredraw::c {
 
-void put(const std::string& text, foredraw_text* to) {
+void put(std::string_view text, foredraw_text* to) {
   if (to == nullptr) return;
   auto* data = static_cast<char*>(std::malloc(text.size() + 1));
   if (data == nullptr) throw std::bad_alloc();
-  std::memcpy(data, text.c_str(), text.size() + 1);
+  std::memcpy(data, text.data(), text.size());
+  data[text.size()] = 0;
   *to = {data, text.size()};
 }
 

@@ -2,8 +2,7 @@
 #include <foredraw/c/library/private/handles.h>
 #include <foredraw/c/library/private/pipeline_text.h>
 #include <foredraw/io/file_lender.h>
-#include <foredraw/io/image/images.h>
-#include <foredraw/pipeline/contest.h>
+#include <foredraw/job/pipelines.h>
 
 #include <algorithm>
 
@@ -25,26 +24,22 @@ int foredraw_compare(foredraw_context* context, const foredraw_scene* const* sce
     for (const char* text : std::span(pipelines, pipeline_count)) {
       if (auto some = pipelines_in(text, diagnostics)) std::ranges::move(*some, std::back_inserter(contestants));
     }
-    if (diagnostics.has_errors()) {
+    if (diagnostics.has_errors() || !change(contestants, {}, context->registry, diagnostics)) {
       put(diagnostics, comparison);
       return FOREDRAW_MISTAKE;
     }
-    measure_alike(contestants, {}, context->registry);
-    judge_alike(contestants, context->registry);
-
     Cancellable call(*context);
     const FileLender lender(context->input());
+    const JobSetup setup = setup_for(call, lender);
     const int times = static_cast<int>(std::clamp<std::uint32_t>(rounds, 1, 1000));
     std::vector<Comparison> comparisons;
     bool is_whole = true;
     for (const foredraw_scene* scene : std::span(scenes, scene_count)) {
       const HeldScene& held = *scene->held;
-      Analyses analyses(image_decoder(held.path));
-      Contest made = contest({held.path, held.bytes, held.stamp}, held.scene, contestants, context->registry, &lender,
-                             times, {context->executor, analyses, &call.is_cancelled(), call.progress()});
-      const auto is_lost = [](const Branch& branch) { return branch.is_lost; };
-      is_whole = is_whole && !made.failed && std::ranges::none_of(made.comparison.branches, is_lost);
-      comparisons.push_back(std::move(made.comparison));
+      Job job(setup, JobKind::compare, held.file.path);
+      job.take(held.file, held.scene);
+      comparisons.push_back(job.compare(contestants, times).comparison);
+      is_whole = is_whole && job.status() == JobStatus::done;
     }
     put(to_json(comparisons), comparison);
     if (call.is_cancelled()) return FOREDRAW_CANCELLED;

@@ -32,6 +32,15 @@ std::function<void(std::string_view, double)> Cancellable::progress() {
   };
 }
 
+JobSetup setup_for(Cancellable& call, const Lender& lender) {
+  return {.registry = call.context().registry,
+          .executor = call.context().executor,
+          .lender = &lender,
+          .input = call.context().input(),
+          .cancel = &call.is_cancelled(),
+          .progress = call.progress()};
+}
+
 }  // namespace foredraw::c
 
 uint32_t foredraw_version(void) { return FOREDRAW_VERSION_NUMBER; }

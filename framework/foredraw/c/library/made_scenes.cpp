@@ -101,7 +101,7 @@ int foredraw_make_scene(foredraw_context* context, const foredraw_draw* draws, u
       return FOREDRAW_MISTAKE;
     }
     find_traits(made);
-    *scene = new foredraw_scene{std::make_shared<const HeldScene>(std::move(made), "", 0, "")};
+    *scene = new foredraw_scene{std::make_shared<const HeldScene>(std::move(made), FileRecord{})};
     return FOREDRAW_DONE;
   });
 }

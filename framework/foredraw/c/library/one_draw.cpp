@@ -4,7 +4,6 @@
 #include <foredraw/image/found_traits.h>
 #include <foredraw/io/file_lender.h>
 #include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/runner.h>
 #include <foredraw/scene/triangle_draw.h>
 
 #include <fmt/format.h>
@@ -89,12 +88,18 @@ Scene scene_of(const CheckedTriangles& triangles, const foredraw_positions* posi
 
 int run(foredraw_context& context, const char* stages, const foredraw_triangles* given,
         const foredraw_positions* positions, const Outputs& outputs, foredraw_text* report) {
-  Report lost{.command = "optimize"};
+  Cancellable call(context);
+  const FileLender lender(context.input());
+  const JobSetup setup = setup_for(call, lender);
+  Job job(setup, JobKind::optimize, "");
   Diagnostics diagnostics;
-  const auto refuse = [&](int status) {
-    lost.diagnostics = diagnostics.all();
-    put_made([&] { return to_json(lost); }, report);
+  const auto report_of = [&](int status) {
+    put_made([&] { return to_json(job.report()); }, report);
     return status;
+  };
+  const auto refuse = [&](int status) {
+    job.refuse(diagnostics);
+    return report_of(status);
   };
   const auto refuse_draw = [&](const std::string& why) {
     diagnostics.error({}, "bad-draw", "the draw: " + why);
@@ -112,29 +117,19 @@ int run(foredraw_context& context, const char* stages, const foredraw_triangles*
 
   const auto pipeline = parse_line(stages, diagnostics);
   if (!pipeline) return refuse(FOREDRAW_MISTAKE);
-  const Scene scene = scene_of(triangles, positions);
-  const FileLender lender(context.input());
-  const auto planned = plan(*pipeline, context.registry, scene, diagnostics, &lender);
-  if (!planned) return refuse(FOREDRAW_MISTAKE);
-  const auto answer = answer_of(*planned, outputs.wants_clusters(), diagnostics);
+  job.take({}, scene_of(triangles, positions));
+  if (!job.plan(*pipeline)) return report_of(FOREDRAW_MISTAKE);
+  const auto answer = answer_of(job.plan(), outputs.wants_clusters(), diagnostics);
   if (!answer) return refuse(FOREDRAW_MISTAKE);
   const std::size_t count = *answer == Answer::vertices ? triangles.vertex_count() : triangles.triangle_count();
   if (outputs.order == nullptr && count > 0 && !outputs.wants_clusters()) return FOREDRAW_NULL_POINTER;
 
-  Cancellable call(context);
-  Analyses analyses;
-  Result made = optimize(*planned, scene, {context.executor, analyses, &call.is_cancelled(), call.progress()});
-  for (const Diagnostic& diagnostic : made.report.diagnostics) diagnostics.add(diagnostic);
-  const Level& level = made.scene.draws.front().full();
+  if (!job.run()) return report_of(FOREDRAW_CANCELLED);
+  const Level& level = job.scene().draws.front().full();
   if (level.orders.size() != 1) {
     diagnostics.error({}, "several-orders", "the stages made several orders, of which one can be answered with",
                       "set k = 1, or make a scene of the draw");
     return refuse(FOREDRAW_MISTAKE);
-  }
-  made.report.diagnostics = diagnostics.all();
-  if (call.is_cancelled()) {
-    put_made([&] { return to_json(made.report); }, report);
-    return FOREDRAW_CANCELLED;
   }
   const auto order = *answer == Answer::vertices ? inverse_of(level.vertex_destination.view(), count)
                                                  : order_of(level.stream().triangle_origin.view(), count);
@@ -143,13 +138,13 @@ int run(foredraw_context& context, const char* stages, const foredraw_triangles*
   std::vector<std::uint32_t> offsets = {0};
   if (count > 0) offsets.push_back(static_cast<std::uint32_t>(count));  // where the clusterer left all as it was
   if (level.stream().clusters) offsets = level.stream().clusters->offsets;
-  put_made([&] { return to_json(made.report); }, report);
+  const int status = report_of(job.status() == JobStatus::in_part ? FOREDRAW_FAILED : FOREDRAW_DONE);
   if (outputs.order != nullptr) std::ranges::copy(order, outputs.order);
   if (outputs.wants_clusters()) {
     std::ranges::copy(offsets, outputs.offsets);
     *outputs.cluster_count = static_cast<std::uint32_t>(offsets.size() - 1);
   }
-  return made.failed ? FOREDRAW_FAILED : FOREDRAW_DONE;
+  return status;
 }
 
 }  // namespace

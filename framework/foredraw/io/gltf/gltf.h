@@ -4,6 +4,7 @@
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/reading/scene_input.h>
 #include <foredraw/platform/files.h>
+#include <foredraw/scene/output_settings.h>
 
 #include <filesystem>
 #include <optional>
@@ -21,22 +22,6 @@ std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& d
 std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
                                const std::filesystem::path& folder, Diagnostics& diagnostics,
                                const SceneInput& how = {});
-
-/// How data goes out that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression), or plain.
-enum class Compression {
-  keep,               ///< as it came, as its parts allow: what no stage touched as it was, the rest compressed again
-  none,               ///< plain
-  ext,                ///< compressed for EXT_meshopt_compression, which most readers know
-  khr,                ///< compressed for KHR_meshopt_compression, its successor, whose vertices are shorter
-  draco,              ///< by KHR_draco_mesh_compression, where triangles and vertices keep their order, and all bits
-  draco_edgebreaker,  ///< by the same, where both go into the codec's own order; a warning says so
-};
-
-/// How levels of detail that did not come as MSFT_lod go out.
-enum class LevelsAs {
-  extension,  ///< FOREDRAW_levels on the primitive
-  lod_nodes,  ///< MSFT_lod on the nodes, where it can tell of them
-};
 
 struct GltfOutput {
   Compression compression = Compression::keep;

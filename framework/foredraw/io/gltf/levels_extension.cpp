@@ -1,7 +1,7 @@
 // FOREDRAW_levels: a primitive's coarser levels, each with the members of a primitive that say what is drawn.
 #include <foredraw/io/gltf/private/levels.h>
 
-#include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/gltf/gate/private/gate.h>
 #include <foredraw/io/gltf/private/member.h>
 
 #include <fmt/format.h>

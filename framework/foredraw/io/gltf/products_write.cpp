@@ -1,7 +1,7 @@
 // Products written.
+#include <foredraw/io/gltf/patch/private/write.h>
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/rows.h>
-#include <foredraw/io/gltf/private/write.h>
 #include <foredraw/io/text/private/extension_json.h>
 
 #include <algorithm>

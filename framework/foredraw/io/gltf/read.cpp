@@ -1,6 +1,6 @@
 #include <foredraw/io/gltf/gltf.h>
 
-#include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/gltf/gate/private/gate.h>
 #include <foredraw/io/gltf/private/kept_meshes.h>
 #include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/products.h>

@@ -6,7 +6,6 @@
 #include <foredraw/io/mesh/private/ply.h>
 #include <foredraw/io/mesh/private/source.h>
 #include <foredraw/io/mesh/private/stl.h>
-#include <foredraw/io/mesh/private/utf16.h>
 #include <foredraw/io/text/private/file_kind.h>
 
 #include <fmt/format.h>
@@ -35,15 +34,10 @@ bool read_polygons(MeshKind kind, const Reading& reading, PolygonMesh& mesh, std
 std::optional<Scene> scene_from(std::shared_ptr<MeshSource> source, const std::string& name, const FilePlaces& where,
                                 Faults& faults, Diagnostics& diagnostics) {
   Reading reading{name, source->text(), diagnostics, &faults};
-  if (source->kind == MeshKind::obj && is_utf16(reading.text)) {
-    faults.found("utf-16", {.file = name}, "the text is UTF-16");
-    auto text = utf8_of(reading.text);
-    if (!text) {
-      reading.refuse({.file = name}, "the file begins with the byte order mark of UTF-16, but the rest is not UTF-16");
-      return std::nullopt;
-    }
-    source->utf8 = std::move(*text);
-    reading.text = source->text();
+  const bool is_utf16 = reading.text.starts_with("\xFE\xFF") || reading.text.starts_with("\xFF\xFE");
+  if (source->kind == MeshKind::obj && is_utf16) {
+    reading.refuse({.file = name}, "the text is UTF-16", "save it as UTF-8");
+    return std::nullopt;
   }
   // A corner takes a byte at least, so that no number of anything can leave 32 bits.
   if (reading.text.size() >= none) {
@@ -109,6 +103,11 @@ std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind k
   return faults.tell() ? std::move(scene) : std::nullopt;
 }
 
+std::shared_ptr<const SceneSource> source_for_gltf(const Scene& scene) {
+  const auto source = std::dynamic_pointer_cast<const MeshSource>(scene.source);
+  return source ? source->gltf : nullptr;
+}
+
 std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
                                            Diagnostics& diagnostics) {
   const auto source = std::dynamic_pointer_cast<const MeshSource>(scene.source);
@@ -118,9 +117,8 @@ std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, co
                       "give the output the extension .glb, or that of the input");
     return std::nullopt;
   }
-  auto text = reordered(scene, *source, diagnostics);
+  const auto text = reordered(scene, *source, diagnostics);
   if (!text) return std::nullopt;
-  if (!source->utf8.empty()) text = utf16_like(source->file_text(), *text);
   const auto bytes = std::as_bytes(std::span(*text));
   return OutputFile{target, {bytes.begin(), bytes.end()}};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes in OBJ, PLY, OFF and STL, read into flat arrays and written back to their own kind.
+// Meshes in OBJ, PLY, OFF and STL, read into flat arrays, and written back to their own kind or made anew.
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/reading/scene_input.h>
@@ -7,6 +7,7 @@
 #include <foredraw/scene/scene.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -41,5 +42,13 @@ std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, co
 /// PLY the same without names, and colours; OFF and STL positions alone. nullopt, with an error, where none is shown.
 std::optional<OutputFile> encode_new_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
                                                Diagnostics& diagnostics);
+
+/// The source that a glTF file of the scene is made from, if the scene was read from a mesh file; null: it was not.
+std::shared_ptr<const SceneSource> source_for_gltf(const Scene& scene);
+
+/// encode_mesh_file() for a scene that was read from a file of this kind and whose order alone was changed; any other
+/// scene as encode_new_mesh_file(), with a warning that names what the file does not hold.
+std::optional<OutputFile> encode_as_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
+                                              Diagnostics& diagnostics);
 
 }  // namespace foredraw

@@ -142,6 +142,67 @@ std::string new_stl(const Meshes& meshes) {
 
 namespace foredraw {
 
+namespace {
+
+/// Parts of the scene that a mesh file cannot hold: "materials, skins".
+std::string left_out_of(const Scene& scene, MeshKind kind) {
+  const bool has_levels = std::ranges::any_of(scene.draws, [](const Draw& draw) { return draw.levels.size() > 1; });
+  const bool has_weights = std::ranges::any_of(scene.draws, [](const Draw& draw) {
+    return draw.full().vertices && !draw.full().vertices->morph_targets.empty();
+  });
+  const std::pair<const char*, bool> parts[] = {
+      {kind == MeshKind::obj ? "materials (but for their names)" : "materials", !scene.materials.empty()},
+      {"images", !scene.images.empty()},
+      {"skins", !scene.skins.empty()},
+      {"morph targets", has_weights},
+      {"animations", !scene.animations.empty()},
+      {"levels of detail", has_levels}};
+  std::string text;
+  for (const auto& [part, is_there] : parts) {
+    if (is_there) text.append(text.empty() ? "" : ", ").append(part);
+  }
+  return text;
+}
+
+const char* held_by(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::obj: return "positions, normals, texture coordinates and names";
+    case MeshKind::ply: return "positions, normals, texture coordinates and colours";
+    case MeshKind::off:
+    case MeshKind::stl: break;
+  }
+  return "positions";
+}
+
+}  // namespace
+
+std::optional<OutputFile> encode_as_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
+                                              Diagnostics& diagnostics) {
+  Diagnostics found;
+  auto file = encode_mesh_file(scene, kind, target, found);
+  const auto has = [&](const char* code) {
+    return std::ranges::find(found.all(), code, &Diagnostic::code) != found.all().end();
+  };
+  const bool is_of_another_kind = !file && has("unknown-kind");
+  if (file || !(is_of_another_kind || has("other-triangles"))) {
+    for (const Diagnostic& one : found.all()) diagnostics.add(one);
+    return file;
+  }
+  file = encode_new_mesh_file(scene, kind, target, diagnostics);
+  if (!file) return std::nullopt;
+  const std::string left_out = left_out_of(scene, kind);
+  diagnostics.warning(
+      {.file = target.string()}, "made-anew",
+      fmt::format(
+          "{}, so the file is made anew: it holds the triangles that are drawn, with {}, and nothing else of the "
+          "input{}",
+          is_of_another_kind ? fmt::format("the scene was not read from {}", extension_of(kind))
+                             : "more than the order was changed",
+          held_by(kind), left_out.empty() ? "" : "; left out: " + left_out),
+      "write a .glb to keep the rest");
+  return file;
+}
+
 std::optional<OutputFile> encode_new_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
                                                Diagnostics& diagnostics) {
   using namespace mesh_files;

@@ -98,8 +98,6 @@ constexpr FaultKind kinds[] = {
      "It is left out.", "Triangles do not depend on it."},
     {"unknown-material", "OBJ", "Faces name a material that is in no library.", "Its name is kept.",
      "Triangles do not depend on it."},
-    {"utf-16", "OBJ", "The text is UTF-16 with a byte order mark.", "It is read, and written, as UTF-16.",
-     "The mark says how two bytes make a character."},
     {"keyword", "OFF", "No space separates the keyword from the number of vertices (`OFF8`).",
      "They are read as two words.", "No keyword ends in a digit."},
 };

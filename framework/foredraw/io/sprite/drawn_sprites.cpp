@@ -70,11 +70,6 @@ double DrawnSprite::area_part() const {
   return twice / 2 / (static_cast<double>(frame.place.width) * frame.place.height);
 }
 
-std::string saving_text(const DrawnSprite& sprite) {
-  const double saved = 100 * (1 - sprite.area_part());
-  return std::abs(saved) < 0.05 ? "0 %" : fmt::format("{:+.1f} %", -saved);
-}
-
 glm::dvec2 to_sprite(const FrameEntry& frame, const glm::dvec2& texel) {
   const glm::dvec2 in_place = texel - glm::dvec2(frame.place.x, frame.place.y);
   const glm::dvec2 upright = frame.is_turned ? glm::dvec2(in_place.y, frame.place.width - in_place.x) : in_place;

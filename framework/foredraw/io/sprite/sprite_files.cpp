@@ -19,14 +19,11 @@ using MakeText = std::optional<std::string> (*)(std::span<const Sheet>, const fs
 
 struct Writer {
   std::string_view extension;
-  MakeText make;  ///< none: the picture
+  MakeText make;
 };
 
-constexpr Writer writers[] = {{".json", sprites::list_text},
-                              {".h", sprites::header_text},
-                              {".svg", sprites::overlay_text},
-                              {".png", nullptr},
-                              {".html", sprites::page_text}};
+constexpr Writer writers[] = {
+    {".json", sprites::list_text}, {".h", sprites::header_text}, {".html", sprites::page_text}};
 
 const Writer* writer_of(const fs::path& path) {
   const std::string extension = lower_extension(path);
@@ -34,11 +31,6 @@ const Writer* writer_of(const fs::path& path) {
     if (writer.extension == extension) return &writer;
   }
   return nullptr;
-}
-
-std::string utf8(const fs::path& path) {
-  const std::u8string text = path.generic_u8string();
-  return {text.begin(), text.end()};
 }
 
 bool spares(const Scene& scene, const fs::path& file, Diagnostics& diagnostics) {
@@ -76,7 +68,9 @@ namespace sprites {
 std::string image_beside(const Sheet& sheet, std::size_t image, const fs::path& target) {
   if (sheet.source == nullptr || image >= sheet.source->image_files.size()) return sheet.scene->images[image].name;
   const fs::path file = fs::absolute(sheet.source->image_files[image]).lexically_normal();
-  return utf8(file.lexically_relative(fs::absolute(target).lexically_normal().parent_path()));
+  const std::u8string text =
+      file.lexically_relative(fs::absolute(target).lexically_normal().parent_path()).generic_u8string();
+  return {text.begin(), text.end()};
 }
 
 std::string winding_of(std::span<const Sheet> sheets) {
@@ -101,10 +95,10 @@ std::string winding_of(std::span<const Sheet> sheets) {
 
 bool is_sprite_output(const fs::path& path) { return writer_of(path) != nullptr; }
 
-std::string sprite_output_extensions() {
-  std::string text;
-  for (const Writer& writer : writers) text.append(text.empty() ? "" : ", ").append(writer.extension);
-  return text;
+std::vector<std::string_view> sprite_output_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const Writer& writer : writers) extensions.push_back(writer.extension);
+  return extensions;
 }
 
 std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs::path& target,
@@ -112,7 +106,7 @@ std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs
   const Writer* writer = writer_of(target);
   if (writer == nullptr) {
     diagnostics.error({.file = target.string()}, "unknown-kind", "sprites cannot be written as this kind of file",
-                      "use " + sprite_output_extensions());
+                      fmt::format("use {}", fmt::join(sprite_output_extensions(), ", ")));
     return std::nullopt;
   }
   std::vector<Sheet> sheets;
@@ -122,18 +116,10 @@ std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs
     if (!drawn) return std::nullopt;
     sheets.push_back({&scene, dynamic_cast<const SpriteSource*>(scene.source.get()), std::move(*drawn)});
   }
-  OutputFile file{target, {}};
-  if (writer->make == nullptr) {
-    auto picture = sprites::contact_sheet(sheets, target, diagnostics);
-    if (!picture) return std::nullopt;
-    file.bytes = std::move(*picture);
-  } else {
-    const auto text = writer->make(sheets, target, diagnostics);
-    if (!text) return std::nullopt;
-    const auto bytes = std::as_bytes(std::span(*text));
-    file.bytes = {bytes.begin(), bytes.end()};
-  }
-  return file;
+  const auto text = writer->make(sheets, target, diagnostics);
+  if (!text) return std::nullopt;
+  const auto bytes = std::as_bytes(std::span(*text));
+  return OutputFile{target, {bytes.begin(), bytes.end()}};
 }
 
 bool spares_its_inputs(const Scene& scene, std::span<const OutputFile> files, Diagnostics& diagnostics) {

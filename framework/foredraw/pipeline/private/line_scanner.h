@@ -3,6 +3,7 @@
 // as in TOML, except that a text of plain characters (letters, digits and _ - + . / @ * ?) needs no quotes.
 
 #include <foredraw/pipeline/pipeline.h>
+#include <foredraw/pipeline/private/words.h>
 
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct TextPlace {
 
 /// nullopt at the first mistake of form, or after all mistakes of reserved words.
 std::optional<std::vector<Stage>> scan_stages(std::string_view text, const TextPlace& place, Diagnostics& diagnostics);
+
+/// Options as between the parentheses of a stage, "a=1, b=c"; none in an empty text.
+std::optional<StageWords> scan_options(std::string_view text, const TextPlace& place, Diagnostics& diagnostics);
 
 /// A value with nothing after it.
 std::optional<OptionValue> scan_value(std::string_view text, const TextPlace& place, Diagnostics& diagnostics);

@@ -11,7 +11,6 @@ OptionTable<ViewSet> view_words();
 OptionTable<PoseSet> pose_words();
 OptionTable<SubjectChoice> subject_words();
 OptionTable<FrameSet> frame_words();
-OptionTable<OutputChoice> output_words();
 /// The reserved words of a stage. Every other word is an option of its plugin.
 OptionTable<Stage> stage_words();
 

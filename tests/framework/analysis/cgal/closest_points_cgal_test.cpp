@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::closest_points_cgal_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -50,4 +50,4 @@ TEST(ClosestPointsByCgal, OfASphereWithPointsForTrianglesAtItsPolesAreEqual) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::closest_points_cgal_test

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::crossing_triangles_cgal_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -59,4 +59,4 @@ TEST(CrossingTrianglesByCgal, OfATorusThatIsSquashedAreTheSame) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crossing_triangles_cgal_test

@@ -1,6 +1,6 @@
 // Crowds sorted by compute shaders on Mesa's software driver, against the C header.
 
-#include <foredraw/displaced/crowd_shader.h>
+#include <foredraw/crowds/crowd_shader.h>
 #include <foredraw/runtime/crowd_select.h>
 
 #include "displaced_on_device.h"
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::crowd_shader_test {
 namespace {
 
 using namespace testing;
@@ -122,4 +122,4 @@ TEST_F(DisplacedOnDevice, CrowdsAreSortedAsTheHeaderChooses) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_shader_test

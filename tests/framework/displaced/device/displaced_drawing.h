@@ -3,7 +3,7 @@
 
 #include "displaced_pipelines.h"
 
-#include <foredraw/gpu/capture.h>
+#include "support/capture.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ class DisplacedDrawing : public DisplacedPipelines {
     DisplacedShader shader = surface_.shader;
     shader.captures = true;
     const gpu::OwnedPipeline pipeline = pipeline_of(shader, DisplacedStage::vertex, false);
-    gpu::Capture capture(device_, most * sizeof(Triangle));
+    testing::Capture capture(device_, most * sizeof(Triangle));
     device_.run([&](VkCommandBuffer commands) {
       capture.reset(commands);
       pictures_.begin(commands, 0);
@@ -73,7 +73,7 @@ class DisplacedDrawing : public DisplacedPipelines {
     state.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
     const gpu::OwnedPipeline pipeline = graphics_pipeline(device_, state);
     const std::size_t count = std::size_t{vertices()} * instances();
-    gpu::Capture capture(device_, count * sizeof(foredraw_cage_vertex));
+    testing::Capture capture(device_, count * sizeof(foredraw_cage_vertex));
     device_.run([&](VkCommandBuffer commands) {
       capture.reset(commands);
       pictures_.begin(commands, 0);

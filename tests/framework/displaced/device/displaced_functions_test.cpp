@@ -6,7 +6,7 @@
 
 #include <bit>
 
-namespace foredraw {
+namespace foredraw::displaced_functions_test {
 namespace {
 
 using namespace testing;
@@ -204,4 +204,4 @@ TEST_F(DisplacedOnDevice, CagesAreThoseOfTheRuntimesHeaderToTheBit) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displaced_functions_test

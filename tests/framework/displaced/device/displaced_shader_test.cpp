@@ -8,7 +8,7 @@
 #include <bit>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::device_displaced_shader_test {
 namespace {
 
 using namespace testing;
@@ -190,4 +190,4 @@ TEST_F(DisplacedOnDevice, LevelsOfEdgesAreThoseOfTheProcessor) {
   EXPECT_TRUE(places_of(drawing.captured(frame, expected.size() + 1)) == expected);
 }
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::device_displaced_shader_test

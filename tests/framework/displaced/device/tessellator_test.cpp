@@ -2,7 +2,6 @@
 
 #include <foredraw/base/random.h>
 #include <foredraw/displaced/interpolated.h>
-#include <foredraw/gpu/capture.h>
 #include <foredraw/gpu/graphics_pipeline.h>
 #include <foredraw/gpu/pictures.h>
 
@@ -11,6 +10,7 @@
 #include "shaders/fractional_odd_tese.h"
 #include "shaders/surface_tesc.h"
 #include "shaders/surface_vert.h"
+#include "support/capture.h"
 #include "support/on_device.h"
 
 #include <glm/vec3.hpp>
@@ -24,7 +24,7 @@
 #include <limits>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::tessellator_test {
 namespace {
 
 using enum TessellationSpacing;
@@ -102,7 +102,7 @@ class Tessellator {
       pipeline_layout(device_, {}, VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT, 4 * sizeof(float));
   gpu::OwnedShader vertex_shader_ = make_shader(device_, surface_vert);
   gpu::OwnedShader control_shader_ = make_shader(device_, surface_tesc);
-  gpu::Capture capture_{device_, 2 * 6144 * sizeof(Triangle)};
+  testing::Capture capture_{device_, 2 * 6144 * sizeof(Triangle)};
   std::array<gpu::OwnedPipeline, 3> pipelines_;
 };
 
@@ -256,4 +256,4 @@ TEST_F(OnTessellator, a_mesh_has_what_shaders_put_out_and_no_crack) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellator_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::watertight_test {
 namespace {
 
 using namespace testing;
@@ -318,4 +318,4 @@ TEST_F(Watertight, LevelsOfTrianglesInsteadOfEdgesTear) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::watertight_test

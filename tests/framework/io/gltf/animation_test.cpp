@@ -12,21 +12,21 @@
 
 #include <filesystem>
 
-namespace foredraw {
+namespace foredraw::gltf_animation_test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::GltfBuilder;
 using testing::GltfJson;
 
-Scene read(const fs::path& path) {
+Scene read_built(const fs::path& path) {
   Diagnostics diagnostics;
   auto scene = read_gltf(path, diagnostics);
   EXPECT_TRUE(scene) << to_text(diagnostics);
   return scene ? std::move(*scene) : Scene();
 }
 
-Scene read(const GltfBuilder& builder) {
+Scene read_built(const GltfBuilder& builder) {
   Diagnostics diagnostics;
   auto scene = read_gltf(builder.glb(), "built.glb", {}, diagnostics);
   EXPECT_TRUE(scene) << to_text(diagnostics);
@@ -65,7 +65,7 @@ double largest_movement(const Scene& scene, const Poses& poses) {
 TEST(GltfAnimation, characters_of_the_corpus_stand_as_an_independent_evaluation_has_them) {
   std::size_t characters = 0;
   for (const auto& entry : fs::directory_iterator(testing::project_file("benchmarks/corpus/animated"))) {
-    const Scene scene = read(entry.path());
+    const Scene scene = read_built(entry.path());
     const Poses poses = make_poses(scene, {.poses = "3"});
     EXPECT_EQ(poses.poses.size(), 3u) << entry.path();
     EXPECT_LT(largest_difference(scene, poses), 1e-5) << entry.path();
@@ -145,7 +145,7 @@ GltfBuilder contraption() {
 }
 
 TEST(GltfAnimation, a_contraption_moves_as_an_independent_evaluation_has_it) {
-  const Scene scene = read(contraption());
+  const Scene scene = read_built(contraption());
   ASSERT_EQ(subjects_of(scene).size(), 1u);
   EXPECT_EQ(subjects_of(scene)[0].parts.size(), 4u);
   EXPECT_LT(largest_difference(scene, make_poses(scene, {.poses = "all"})), 1e-6);
@@ -177,7 +177,7 @@ TEST(GltfAnimation, half_of_a_moved_joint_is_half_of_its_movement) {
          {"channels",
           {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
            {{"sampler", 1}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}});
-  const Scene scene = read(b);
+  const Scene scene = read_built(b);
   const auto positions_at = [&](double time) { return posed_positions(scene, {0, 2}, posed_nodes(scene, {0, time})); };
   const auto expect_near = [](glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::length(a - b), 1e-6f) << a.x << ' ' << a.y; };
   expect_near(positions_at(1.5)[0], {0.5f, 2, 0});
@@ -187,4 +187,4 @@ TEST(GltfAnimation, half_of_a_moved_joint_is_half_of_its_movement) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_animation_test

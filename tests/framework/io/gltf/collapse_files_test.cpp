@@ -11,7 +11,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::collapse_files_test {
 namespace {
 
 using namespace testing;
@@ -105,4 +105,4 @@ TEST(CollapseFiles, WithWrongNumbersAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::collapse_files_test

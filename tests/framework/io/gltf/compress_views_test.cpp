@@ -10,7 +10,7 @@
 
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::compress_views_test {
 namespace {
 
 using testing::Bytes;
@@ -110,4 +110,4 @@ TEST(GltfCompression, what_came_in_version_1_goes_out_in_version_1) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::compress_views_test

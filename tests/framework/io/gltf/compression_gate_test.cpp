@@ -7,7 +7,7 @@
 
 #include "framework/io/gltf/compressed_scenes.h"
 
-namespace foredraw {
+namespace foredraw::compression_gate_test {
 namespace {
 
 using testing::Bytes;
@@ -34,8 +34,8 @@ struct Broken {
 
 void PrintTo(const Broken& broken, std::ostream* out) { *out << broken.name; }
 
-#define EXT "bufferViews[0].extensions.EXT_meshopt_compression"
-#define INDEX_EXT "bufferViews[2].extensions.EXT_meshopt_compression"
+#define MESHOPT_EXT "bufferViews[0].extensions.EXT_meshopt_compression"
+#define MESHOPT_INDEX_EXT "bufferViews[2].extensions.EXT_meshopt_compression"
 
 GltfJson& ext(GltfBuilder& b, std::size_t view = 0) {
   return b.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"];
@@ -44,19 +44,19 @@ GltfJson& ext(GltfBuilder& b, std::size_t view = 0) {
 const std::uint64_t two_to_32 = std::uint64_t{1} << 32;
 
 const Broken all_broken[] = {
-    {"no_object", [](auto& b) { ext(b) = 7; }, "wrong-type", EXT},
-    {"no_mode", [](auto& b) { ext(b).erase("mode"); }, "missing-member", EXT},
-    {"mode_is_a_number", [](auto& b) { ext(b)["mode"] = 7; }, "wrong-type", EXT ".mode"},
-    {"unknown_mode", [](auto& b) { ext(b)["mode"] = "MESHLETS"; }, "unsupported-extension", EXT},
-    {"unknown_filter", [](auto& b) { ext(b)["filter"] = "WAVELET"; }, "unsupported-extension", EXT},
-    {"no_such_buffer", [](auto& b) { ext(b)["buffer"] = 7; }, "bad-reference", EXT ".buffer"},
-    {"stream_in_the_fallback", [](auto& b) { ext(b)["buffer"] = 1; }, "view-range", EXT ".byteLength"},
-    {"stream_too_long", [](auto& b) { ext(b)["byteLength"] = 100000; }, "view-range", EXT ".byteLength"},
-    {"stream_far_off", [](auto& b) { ext(b)["byteOffset"] = two_to_32; }, "view-range", EXT ".byteLength"},
-    {"stream_empty", [](auto& b) { ext(b)["byteLength"] = 0; }, "out-of-range", EXT ".byteLength"},
-    {"count_0", [](auto& b) { ext(b)["count"] = 0; }, "out-of-range", EXT ".count"},
-    {"count_2_32", [](auto& b) { ext(b)["count"] = two_to_32; }, "compressed-count", EXT ".count"},
-    {"count_2_63", [](auto& b) { ext(b)["count"] = std::uint64_t{1} << 63; }, "out-of-range", EXT ".count"},
+    {"no_object", [](auto& b) { ext(b) = 7; }, "wrong-type", MESHOPT_EXT},
+    {"no_mode", [](auto& b) { ext(b).erase("mode"); }, "missing-member", MESHOPT_EXT},
+    {"mode_is_a_number", [](auto& b) { ext(b)["mode"] = 7; }, "wrong-type", MESHOPT_EXT ".mode"},
+    {"unknown_mode", [](auto& b) { ext(b)["mode"] = "MESHLETS"; }, "unsupported-extension", MESHOPT_EXT},
+    {"unknown_filter", [](auto& b) { ext(b)["filter"] = "WAVELET"; }, "unsupported-extension", MESHOPT_EXT},
+    {"no_such_buffer", [](auto& b) { ext(b)["buffer"] = 7; }, "bad-reference", MESHOPT_EXT ".buffer"},
+    {"stream_in_the_fallback", [](auto& b) { ext(b)["buffer"] = 1; }, "view-range", MESHOPT_EXT ".byteLength"},
+    {"stream_too_long", [](auto& b) { ext(b)["byteLength"] = 100000; }, "view-range", MESHOPT_EXT ".byteLength"},
+    {"stream_far_off", [](auto& b) { ext(b)["byteOffset"] = two_to_32; }, "view-range", MESHOPT_EXT ".byteLength"},
+    {"stream_empty", [](auto& b) { ext(b)["byteLength"] = 0; }, "out-of-range", MESHOPT_EXT ".byteLength"},
+    {"count_0", [](auto& b) { ext(b)["count"] = 0; }, "out-of-range", MESHOPT_EXT ".count"},
+    {"count_2_32", [](auto& b) { ext(b)["count"] = two_to_32; }, "compressed-count", MESHOPT_EXT ".count"},
+    {"count_2_63", [](auto& b) { ext(b)["count"] = std::uint64_t{1} << 63; }, "out-of-range", MESHOPT_EXT ".count"},
     {"everything_2_32",
      [](auto& b) {
        ext(b)["count"] = two_to_32;
@@ -64,42 +64,43 @@ const Broken all_broken[] = {
        b.json["bufferViews"][0]["byteOffset"] = 0;
        b.json["buffers"][1]["byteLength"] = 12 * two_to_32;
      },
-     "compressed-count", EXT ".count"},
-    {"stride_0", [](auto& b) { ext(b)["byteStride"] = 0; }, "out-of-range", EXT ".byteStride"},
-    {"stride_257", [](auto& b) { ext(b)["byteStride"] = 257; }, "out-of-range", EXT ".byteStride"},
+     "compressed-count", MESHOPT_EXT ".count"},
+    {"stride_0", [](auto& b) { ext(b)["byteStride"] = 0; }, "out-of-range", MESHOPT_EXT ".byteStride"},
+    {"stride_257", [](auto& b) { ext(b)["byteStride"] = 257; }, "out-of-range", MESHOPT_EXT ".byteStride"},
     {"stride_of_attributes",
      [](auto& b) {
        ext(b)["byteStride"] = 6;
        ext(b)["count"] = 20;
      },
-     "view-stride", EXT ".byteStride"},
+     "view-stride", MESHOPT_EXT ".byteStride"},
     {"stride_of_indices",
      [](auto& b) {
        ext(b, 2)["byteStride"] = 8;
        ext(b, 2)["count"] = 6;
      },
-     "view-stride", INDEX_EXT ".byteStride"},
-    {"strides_differ", [](auto& b) { b.json["bufferViews"][0]["byteStride"] = 24; }, "view-stride", EXT ".byteStride"},
+     "view-stride", MESHOPT_INDEX_EXT ".byteStride"},
+    {"strides_differ", [](auto& b) { b.json["bufferViews"][0]["byteStride"] = 24; }, "view-stride",
+     MESHOPT_EXT ".byteStride"},
     {"corners",
      [](auto& b) {
        ext(b, 2)["count"] = 23;
        b.json["bufferViews"][2]["byteLength"] = 46;
      },
-     "index-count", INDEX_EXT ".count"},
+     "index-count", MESHOPT_INDEX_EXT ".count"},
     {"filter_of_indices", [](auto& b) { ext(b, 2)["filter"] = "EXPONENTIAL"; }, "compressed-filter",
-     INDEX_EXT ".filter"},
-    {"octahedral_of_12", [](auto& b) { ext(b)["filter"] = "OCTAHEDRAL"; }, "compressed-filter", EXT ".filter"},
-    {"color_of_12", [](auto& b) { ext(b)["filter"] = "COLOR"; }, "compressed-filter", EXT ".filter"},
-    {"quaternion_of_12", [](auto& b) { ext(b)["filter"] = "QUATERNION"; }, "compressed-filter", EXT ".filter"},
+     MESHOPT_INDEX_EXT ".filter"},
+    {"octahedral_of_12", [](auto& b) { ext(b)["filter"] = "OCTAHEDRAL"; }, "compressed-filter", MESHOPT_EXT ".filter"},
+    {"color_of_12", [](auto& b) { ext(b)["filter"] = "COLOR"; }, "compressed-filter", MESHOPT_EXT ".filter"},
+    {"quaternion_of_12", [](auto& b) { ext(b)["filter"] = "QUATERNION"; }, "compressed-filter", MESHOPT_EXT ".filter"},
     {"cut_short", [](auto& b) { ext(b)["byteLength"] = ext(b)["byteLength"].template get<int>() - 1; },
-     "compressed-data", EXT},
+     "compressed-data", MESHOPT_EXT},
     {"wrong_codec",
      [](auto& b) {
        ext(b)["mode"] = "INDICES";
        ext(b)["byteStride"] = 4;
        ext(b)["count"] = 30;
      },
-     "compressed-data", EXT},
+     "compressed-data", MESHOPT_EXT},
     {"both_extensions",
      [](auto& b) {
        const GltfJson copy = ext(b);
@@ -203,4 +204,4 @@ TEST(GltfCompressionGate, every_byte_flipped_is_refused_or_read) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::compression_gate_test

@@ -14,7 +14,7 @@
 
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::compression_test {
 namespace {
 
 using testing::Bytes;
@@ -278,4 +278,4 @@ INSTANTIATE_TEST_SUITE_P(Gltf, AsToolsMakeThem,
                          [](const auto& info) { return std::to_string(info.index); });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::compression_test

@@ -7,7 +7,7 @@
 #include "support/gltf_builder.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::container_test {
 namespace {
 
 using testing::bytes_of;
@@ -172,4 +172,4 @@ TEST(GltfContainer, members_of_another_type_are_read_or_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::container_test

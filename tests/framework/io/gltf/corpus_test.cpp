@@ -12,7 +12,7 @@
 #include "support/gltf_builder.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::gltf_corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(All, GltfCorpus, ::testing::ValuesIn(models()), [](cons
 });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_corpus_test

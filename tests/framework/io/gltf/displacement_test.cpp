@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::gltf_displacement_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -36,7 +36,7 @@ GltfJson whole() {
           {"myOwn", "word"}};
 }
 
-Scene read(const GltfBuilder& builder, bool is_clean = true) {
+Scene read_built(const GltfBuilder& builder, bool is_clean = true) {
   Diagnostics diagnostics;
   const auto scene = read_gltf(builder.glb(), "ribbon.glb", {}, diagnostics);
   EXPECT_EQ(diagnostics.empty(), is_clean) << to_text(diagnostics);
@@ -51,7 +51,7 @@ GltfJson written(const Scene& scene) {
 }
 
 TEST(GltfDisplacement, ComesInAndMakesDrawsDisplaced) {
-  const Scene scene = read(moved_ribbon(whole()));
+  const Scene scene = read_built(moved_ribbon(whole()));
   ASSERT_TRUE(scene.materials[0].displacement);
   const Displacement& displacement = *scene.materials[0].displacement;
   EXPECT_EQ(displacement.texture.image, ImageId{1});
@@ -61,15 +61,15 @@ TEST(GltfDisplacement, ComesInAndMakesDrawsDisplaced) {
 }
 
 TEST(GltfDisplacement, FactorIsOneAndOffsetNoneWhereTheFileDoesNotSay) {
-  const Scene scene = read(moved_ribbon({{"displacementGeometryTexture", {{"index", 0}}}}));
+  const Scene scene = read_built(moved_ribbon({{"displacementGeometryTexture", {{"index", 0}}}}));
   EXPECT_EQ(scene.materials[0].displacement, (Displacement{.texture = {.image = 0}}));
 }
 
 TEST(GltfDisplacement, WithoutATextureOrItsCoordinatesMovesNothing) {
-  EXPECT_FALSE(read(moved_ribbon({{"displacementGeometryFactor", 2}})).materials[0].displacement);
+  EXPECT_FALSE(read_built(moved_ribbon({{"displacementGeometryFactor", 2}})).materials[0].displacement);
   GltfJson members = whole();
   members["displacementGeometryTexture"]["texCoord"] = 3;
-  const Scene scene = read(moved_ribbon(members));
+  const Scene scene = read_built(moved_ribbon(members));
   EXPECT_EQ(scene.materials[0].displacement->texture.texcoord, 3u);
   EXPECT_FALSE(scene.draws[0].traits.has(traits::displaced));
 }
@@ -78,7 +78,7 @@ TEST(GltfDisplacement, WrongMembersAreLeftOutWithAWarning) {
   const auto wrong = [](const char* key, GltfJson value) {
     GltfJson members = whole();
     members[key] = std::move(value);
-    return read(moved_ribbon(members), false).materials[0].displacement;
+    return read_built(moved_ribbon(members), false).materials[0].displacement;
   };
   EXPECT_FALSE(wrong("displacementGeometryTexture", {{"index", 7}}));
   EXPECT_FALSE(wrong("displacementGeometryTexture", "a.png"));
@@ -90,11 +90,11 @@ TEST(GltfDisplacement, WrongMembersAreLeftOutWithAWarning) {
 TEST(GltfDisplacement, StaysAsItCameWhereNobodyTouchesIt) {
   const GltfBuilder builder = moved_ribbon(whole());
   Diagnostics diagnostics;
-  EXPECT_EQ(encode_gltf(read(builder), "out.glb", diagnostics)->front().bytes, builder.glb());
+  EXPECT_EQ(encode_gltf(read_built(builder), "out.glb", diagnostics)->front().bytes, builder.glb());
 }
 
 TEST(GltfDisplacement, OfANewMapIsWrittenAndReadAgain) {
-  Scene scene = read(testing::ribbon(2));
+  Scene scene = read_built(testing::ribbon(2));
   Texels texels{{3, 2, 1, 16}, {}};
   for (int i = 0; i < 12; ++i) texels.bytes.push_back(static_cast<std::byte>(40 * i));
   scene.images.push_back({.name = "heights", .bytes = Shared(texels.bytes), .is_texels = true, .facts = texels.facts});
@@ -113,7 +113,7 @@ TEST(GltfDisplacement, OfANewMapIsWrittenAndReadAgain) {
 }
 
 TEST(GltfDisplacement, ThatIsChangedKeepsWhatWeDoNotKnow) {
-  Scene scene = read(moved_ribbon(whole()));
+  Scene scene = read_built(moved_ribbon(whole()));
   scene.materials[0].displacement->factor = 0.5f;
   scene.materials[0].displacement->offset = 0.1f;
   const GltfJson members = written(scene)["materials"][0]["extensions"][name];
@@ -124,14 +124,14 @@ TEST(GltfDisplacement, ThatIsChangedKeepsWhatWeDoNotKnow) {
 }
 
 TEST(GltfDisplacement, ThatIsTakenAwayIsGone) {
-  Scene scene = read(moved_ribbon(whole()));
+  Scene scene = read_built(moved_ribbon(whole()));
   scene.materials[0].displacement.reset();
   const GltfJson json = written(scene);
   EXPECT_EQ(json["materials"][0], GltfJson({{"name", "skin"}}));
 }
 
 TEST(GltfDisplacement, OfACopyLeavesTheOther) {
-  Scene scene = read(moved_ribbon(whole()));
+  Scene scene = read_built(moved_ribbon(whole()));
   Material copy = scene.materials[0];
   copy.copy_of = 0;
   copy.displacement.reset();
@@ -143,7 +143,7 @@ TEST(GltfDisplacement, OfACopyLeavesTheOther) {
 }
 
 TEST(GltfDisplacement, OfTheFirstAndOfACopyAreTheirOwn) {
-  Scene scene = read(moved_ribbon(whole()));
+  Scene scene = read_built(moved_ribbon(whole()));
   Material copy = scene.materials[0];
   copy.copy_of = 0;
   scene.materials.push_back(copy);
@@ -154,4 +154,4 @@ TEST(GltfDisplacement, OfTheFirstAndOfACopyAreTheirOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_displacement_test

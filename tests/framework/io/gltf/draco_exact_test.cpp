@@ -9,7 +9,7 @@
 #include "framework/io/gltf/compressed_scenes.h"
 #include "support/draco_gltf.h"
 
-namespace foredraw {
+namespace foredraw::draco_exact_test {
 namespace {
 
 using testing::encode;
@@ -175,4 +175,4 @@ TEST(DracoExact, texture_coordinates_of_a_thousand_tiles_come_back) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draco_exact_test

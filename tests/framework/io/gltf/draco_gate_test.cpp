@@ -1,6 +1,6 @@
 // Draco's buffers that are broken, claim too much, or do not hold what their accessors say.
+#include <foredraw/io/gltf/codecs/private/draco.h>
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/io/gltf/private/draco.h>
 #include <foredraw/platform/memory.h>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "support/draco_gltf.h"
 
-namespace foredraw {
+namespace foredraw::draco_gate_test {
 namespace {
 
 using testing::draco_compressed;
@@ -18,7 +18,7 @@ using testing::GltfJson;
 using testing::ribbon;
 
 #define PRIMITIVE "meshes[0].primitives[0]"
-#define EXT PRIMITIVE ".extensions.KHR_draco_mesh_compression"
+#define DRACO_EXT PRIMITIVE ".extensions.KHR_draco_mesh_compression"
 
 GltfJson& primitive(GltfBuilder& b) { return b.json["meshes"][0]["primitives"][0]; }
 GltfJson& ext(GltfBuilder& b) { return primitive(b)["extensions"]["KHR_draco_mesh_compression"]; }
@@ -42,27 +42,29 @@ struct Broken {
 void PrintTo(const Broken& broken, std::ostream* out) { *out << broken.name; }
 
 const Broken all_broken[] = {
-    {"no_object", [](auto& b) { ext(b) = 7; }, "wrong-type", EXT},
-    {"no_view", [](auto& b) { ext(b).erase("bufferView"); }, "missing-member", EXT},
-    {"no_such_view", [](auto& b) { ext(b)["bufferView"] = 70; }, "bad-reference", EXT ".bufferView"},
-    {"no_ids", [](auto& b) { ext(b).erase("attributes"); }, "missing-member", EXT},
+    {"no_object", [](auto& b) { ext(b) = 7; }, "wrong-type", DRACO_EXT},
+    {"no_view", [](auto& b) { ext(b).erase("bufferView"); }, "missing-member", DRACO_EXT},
+    {"no_such_view", [](auto& b) { ext(b)["bufferView"] = 70; }, "bad-reference", DRACO_EXT ".bufferView"},
+    {"no_ids", [](auto& b) { ext(b).erase("attributes"); }, "missing-member", DRACO_EXT},
     {"ids_are_a_list",
      [](auto& b) {
        ext(b)["attributes"] = {0, 1};
      },
-     "wrong-type", EXT ".attributes"},
-    {"ids_are_empty", [](auto& b) { ext(b)["attributes"] = GltfJson::object(); }, "out-of-range", EXT ".attributes"},
-    {"id_is_text", [](auto& b) { ext(b)["attributes"]["POSITION"] = "0"; }, "wrong-type", EXT ".attributes.POSITION"},
+     "wrong-type", DRACO_EXT ".attributes"},
+    {"ids_are_empty", [](auto& b) { ext(b)["attributes"] = GltfJson::object(); }, "out-of-range",
+     DRACO_EXT ".attributes"},
+    {"id_is_text", [](auto& b) { ext(b)["attributes"]["POSITION"] = "0"; }, "wrong-type",
+     DRACO_EXT ".attributes.POSITION"},
     {"id_2_32", [](auto& b) { ext(b)["attributes"]["POSITION"] = std::uint64_t{1} << 32; }, "out-of-range",
-     EXT ".attributes.POSITION"},
-    {"id_that_is_not_there", [](auto& b) { ext(b)["attributes"]["POSITION"] = 7; }, "compressed-attribute", EXT},
+     DRACO_EXT ".attributes.POSITION"},
+    {"id_that_is_not_there", [](auto& b) { ext(b)["attributes"]["POSITION"] = 7; }, "compressed-attribute", DRACO_EXT},
     {"id_of_another_attribute", [](auto& b) { ext(b)["attributes"]["POSITION"] = ext(b)["attributes"]["TEXCOORD_0"]; },
-     "compressed-attribute", EXT},
-    {"other_components", [](auto& b) { accessor(b, "POSITION")["type"] = "VEC4"; }, "compressed-attribute", EXT},
-    {"other_type", [](auto& b) { accessor(b, "POSITION")["componentType"] = 5123; }, "compressed-attribute", EXT},
-    {"matrices", [](auto& b) { accessor(b, "POSITION")["type"] = "MAT2"; }, "compressed-attribute", EXT},
+     "compressed-attribute", DRACO_EXT},
+    {"other_components", [](auto& b) { accessor(b, "POSITION")["type"] = "VEC4"; }, "compressed-attribute", DRACO_EXT},
+    {"other_type", [](auto& b) { accessor(b, "POSITION")["componentType"] = 5123; }, "compressed-attribute", DRACO_EXT},
+    {"matrices", [](auto& b) { accessor(b, "POSITION")["type"] = "MAT2"; }, "compressed-attribute", DRACO_EXT},
     {"attribute_that_the_primitive_lacks", [](auto& b) { ext(b)["attributes"]["COLOR_0"] = 1; }, "compressed-attribute",
-     EXT ".attributes.COLOR_0"},
+     DRACO_EXT ".attributes.COLOR_0"},
     {"no_indices", [](auto& b) { primitive(b).erase("indices"); }, "missing-member", PRIMITIVE},
     {"indices_are_floats", [](auto& b) { indices(b)["componentType"] = 5126; }, "index-type", PRIMITIVE ".indices"},
     {"points", [](auto& b) { primitive(b)["mode"] = 0; }, "out-of-range", PRIMITIVE ".mode"},
@@ -73,20 +75,20 @@ const Broken all_broken[] = {
        accessor(b, "POSITION")["count"] = accessor(b, "TEXCOORD_0")["count"] = 1;
        indices(b)["count"] = 3;
      },
-     "compressed-count", EXT},
+     "compressed-count", DRACO_EXT},
     {"far_more_claimed",
      [](auto& b) { accessor(b, "POSITION")["count"] = accessor(b, "TEXCOORD_0")["count"] = 4000000000u; },
-     "compressed-count", EXT},
+     "compressed-count", DRACO_EXT},
     {"morph_targets_of_another_count",
      [](auto& b) { primitive(b)["targets"][0]["POSITION"] = b.add_values(std::vector<float>(9, 1.0f), "VEC3"); },
      "unequal-counts", PRIMITIVE ".targets[0].POSITION"},
-    {"no_draco", [](auto& b) { coded_byte(b, 0) = std::byte{'d'}; }, "compressed-data", EXT},
-    {"older_bitstream", [](auto& b) { coded_byte(b, 6) = std::byte{1}; }, "unsupported-extension", EXT},
-    {"point_cloud", [](auto& b) { coded_byte(b, 7) = std::byte{0}; }, "compressed-data", EXT},
-    {"unknown_method", [](auto& b) { coded_byte(b, 8) = std::byte{9}; }, "compressed-data", EXT},
+    {"no_draco", [](auto& b) { coded_byte(b, 0) = std::byte{'d'}; }, "compressed-data", DRACO_EXT},
+    {"older_bitstream", [](auto& b) { coded_byte(b, 6) = std::byte{1}; }, "unsupported-extension", DRACO_EXT},
+    {"point_cloud", [](auto& b) { coded_byte(b, 7) = std::byte{0}; }, "compressed-data", DRACO_EXT},
+    {"unknown_method", [](auto& b) { coded_byte(b, 8) = std::byte{9}; }, "compressed-data", DRACO_EXT},
     {"cut_short",
      [](auto& b) { b.json["bufferViews"][ext(b)["bufferView"].template get<std::size_t>()]["byteLength"] = 99; },
-     "compressed-data", EXT},
+     "compressed-data", DRACO_EXT},
 };
 
 class BrokenDraco : public ::testing::TestWithParam<Broken> {};
@@ -218,4 +220,4 @@ TEST(GltfDracoGate, an_index_beyond_the_vertices_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draco_gate_test

@@ -11,7 +11,7 @@
 #include "support/draco_gltf.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::draco_output_test {
 namespace {
 
 using testing::Bytes;
@@ -288,4 +288,4 @@ INSTANTIATE_TEST_SUITE_P(Gltf, DracoCorpus, ::testing::ValuesIn(models()), [](co
 });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draco_output_test

@@ -8,7 +8,7 @@
 #include "framework/io/gltf/compressed_scenes.h"
 #include "support/draco_gltf.h"
 
-namespace foredraw {
+namespace foredraw::draco_test {
 namespace {
 
 using testing::draco_compressed;
@@ -308,4 +308,4 @@ TEST(GltfDraco, unknown_extensions_and_draco_go_together) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draco_test

@@ -10,7 +10,7 @@
 
 #include "support/compressed_gltf.h"
 
-namespace foredraw {
+namespace foredraw::faults_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -365,4 +365,4 @@ TEST(GltfFaults, an_unknown_extension_of_a_mesh_may_not_be_required) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::faults_test

@@ -9,7 +9,7 @@
 #include "support/gltf_builder.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::gate_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -323,4 +323,4 @@ TEST(GltfGate, corners_left_over_are_not_drawn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gate_test

@@ -1,5 +1,5 @@
 // What goes out compressed is taken apart and put together by kind before, and filters are found that lose nothing.
-#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/gltf/codecs/private/meshopt.h>
 #include <foredraw/scene/coded_values.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include "framework/io/gltf/compressed_scenes.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::gather_views_test {
 namespace {
 
 using gltf::before_filter;
@@ -248,4 +248,4 @@ RC_GTEST_PROP(LosslessFilters, whatever_has_rows_comes_out_again,
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gather_views_test

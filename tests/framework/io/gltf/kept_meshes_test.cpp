@@ -4,7 +4,7 @@
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::kept_meshes_test {
 namespace {
 
 using namespace foredraw::testing;
@@ -138,4 +138,4 @@ TEST(GltfKeptMeshes, a_mesh_that_stays_is_not_written_away) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::kept_meshes_test

@@ -4,7 +4,7 @@
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::kept_spaces_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -77,4 +77,4 @@ TEST(GltfKeptSpaces, AreThoseOfMovedSurfacesOfWhichTheMapIsMissing) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::kept_spaces_test

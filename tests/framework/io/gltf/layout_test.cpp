@@ -5,7 +5,7 @@
 #include "support/gltf_builder.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::layout_test {
 namespace {
 
 using namespace foredraw::testing;
@@ -238,4 +238,4 @@ TEST(GltfLayout, sparse_accessor_whose_neighbour_shrinks_keeps_its_elements) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::layout_test

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace foredraw {
+namespace foredraw::levels_as_nodes_test {
 namespace {
 
 using namespace testing;
@@ -139,4 +139,4 @@ TEST(GltfLevels, AsNodesSayHowMuchOfTheScreenTheyAreFor) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::levels_as_nodes_test

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::levels_figures_test {
 namespace {
 
 using namespace testing;
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::levels_figures_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::gltf_levels_test {
 namespace {
 
 using namespace testing;
@@ -311,4 +311,4 @@ TEST(GltfLevels, OfASkinnedCharacterFollowOneSkin) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_levels_test

@@ -4,7 +4,7 @@
 
 #include "framework/io/gltf/compressed_scenes.h"
 
-namespace foredraw {
+namespace foredraw::list_care_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -246,4 +246,4 @@ TEST(VertexNeeds, AreThoseOfVariantsToo) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::list_care_test

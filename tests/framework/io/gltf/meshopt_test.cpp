@@ -1,5 +1,5 @@
 // The codecs themselves: bounds that follow from the bitstreams, and filters beside those of the library.
-#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/gltf/codecs/private/meshopt.h>
 
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace foredraw::gltf {
+namespace foredraw::gltf::meshopt_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -175,4 +175,4 @@ RC_GTEST_PROP(Meshopt, filters_take_any_bytes, (std::vector<std::uint32_t> words
 }
 
 }  // namespace
-}  // namespace foredraw::gltf
+}  // namespace foredraw::gltf::meshopt_test

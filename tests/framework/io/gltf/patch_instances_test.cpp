@@ -5,7 +5,7 @@
 
 #include "framework/io/gltf/compressed_scenes.h"
 
-namespace foredraw {
+namespace foredraw::patch_instances_test {
 namespace {
 
 using namespace foredraw::testing;
@@ -177,4 +177,4 @@ TEST(GltfPatchInstances, other_numbers_of_them_and_what_is_not_finite_are_refuse
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::patch_instances_test

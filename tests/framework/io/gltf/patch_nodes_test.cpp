@@ -8,7 +8,7 @@
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::patch_nodes_test {
 namespace {
 
 using namespace foredraw::testing;
@@ -319,4 +319,4 @@ TEST(GltfPatchNodes, channels_of_weights_are_told_apart) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::patch_nodes_test

@@ -5,7 +5,7 @@
 
 #include "framework/io/gltf/compressed_scenes.h"
 
-namespace foredraw {
+namespace foredraw::patch_skins_test {
 namespace {
 
 using namespace foredraw::testing;
@@ -137,4 +137,4 @@ TEST(GltfPatchSkins, other_changes_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::patch_skins_test

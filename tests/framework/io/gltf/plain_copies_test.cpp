@@ -10,7 +10,7 @@
 
 #include "support/test_folder.h"
 
-namespace foredraw {
+namespace foredraw::plain_copies_test {
 namespace {
 
 using testing::Bytes;
@@ -114,4 +114,4 @@ TEST(PlainCopies, what_is_not_known_is_read_from_its_plain_copy_and_replaced_whe
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::plain_copies_test

@@ -5,14 +5,14 @@
 
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::gltf_read_test {
 namespace {
 
 using testing::GltfBuilder;
 using testing::GltfJson;
 using Indices = std::vector<std::uint32_t>;
 
-Scene read(const GltfBuilder& builder) {
+Scene read_built(const GltfBuilder& builder) {
   Diagnostics diagnostics;
   auto scene = read_gltf(builder.glb(), "test.glb", {}, diagnostics);
   if (!scene) throw std::runtime_error(to_text(diagnostics));
@@ -31,7 +31,7 @@ Scene five_points(int mode, const std::vector<std::uint8_t>& indices = {}) {
   primitive["attributes"]["POSITION"] = builder.add_values(std::vector<float>(15, 1), "VEC3");
   if (!indices.empty()) primitive["indices"] = builder.add_values(indices, "SCALAR");
   builder.add_mesh(primitive);
-  return read(builder);
+  return read_built(builder);
 }
 
 TEST(GltfRead, strips_fans_and_loops_become_lists) {
@@ -64,7 +64,7 @@ TEST(GltfRead, topology_and_its_trait) {
 }
 
 TEST(GltfRead, sparse_elements_are_put_in) {
-  const Scene scene = read(testing::puppet());
+  const Scene scene = read_built(testing::puppet());
   const VertexStream& target = scene.draws[0].levels[0].vertices->morph_targets.at(0).at(0);
   const std::vector<glm::vec3> values = decode_vec3(target);
   EXPECT_EQ(values[0], glm::vec3(0.5f));
@@ -77,7 +77,7 @@ TEST(GltfRead, accessor_without_bytes_is_zeros) {
   GltfBuilder builder = testing::ribbon(1);
   const std::size_t zeros = builder.add("accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 4}});
   builder.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = zeros;
-  EXPECT_EQ(decode_vec3(*read(builder).draws[0].levels[0].vertices->find("NORMAL")),
+  EXPECT_EQ(decode_vec3(*read_built(builder).draws[0].levels[0].vertices->find("NORMAL")),
             std::vector<glm::vec3>(4, glm::vec3(0)));
 }
 
@@ -94,7 +94,7 @@ TEST(GltfRead, interleaved_and_quantised_streams_come_tight_in_their_own_format)
   const std::size_t colour = builder.add_accessor(view, 8, 5121, "VEC4", 3);
   builder.json["accessors"][position]["normalized"] = true;
   builder.add_mesh({{"attributes", {{"POSITION", position}, {"COLOR_0", colour}}}});
-  const Scene scene = read(builder);
+  const Scene scene = read_built(builder);
   const VertexStreams& streams = *scene.draws[0].levels[0].vertices;
   EXPECT_EQ(streams.count, 3u);
   EXPECT_EQ(streams.find("POSITION")->format, (Format{Component::int16, 3, true, 6}));
@@ -112,7 +112,7 @@ TEST(GltfRead, equal_accessors_share_streams) {
   primitives.push_back(first);
   primitives.push_back(first);
   primitives[2]["attributes"].erase("TEXCOORD_0");
-  const Scene scene = read(builder);
+  const Scene scene = read_built(builder);
   EXPECT_EQ(scene.draws[0].levels[0].vertices, scene.draws[1].levels[0].vertices);
   EXPECT_NE(scene.draws[0].levels[0].vertices, scene.draws[2].levels[0].vertices);
   EXPECT_TRUE(scene.draws[0]
@@ -129,7 +129,7 @@ TEST(GltfRead, names_and_origins_of_draws) {
   builder.add("meshes", {{"name", "House"}, {"primitives", {primitive, primitive}}});
   builder.add("meshes", {{"primitives", {primitive, primitive}}});
   builder.json["meshes"][2]["primitives"].erase(1);
-  const Scene scene = read(builder);
+  const Scene scene = read_built(builder);
   ASSERT_EQ(scene.draws.size(), 4u);
   EXPECT_EQ(scene.draws[0].name, "Rock");
   EXPECT_EQ(scene.draws[1].name, "House/0");
@@ -140,7 +140,7 @@ TEST(GltfRead, names_and_origins_of_draws) {
 }
 
 TEST(GltfRead, structure_of_the_puppet) {
-  const Scene scene = read(testing::puppet());
+  const Scene scene = read_built(testing::puppet());
   EXPECT_EQ(scene.name, "test.glb");
   ASSERT_EQ(scene.nodes.size(), 3u);
   EXPECT_EQ(scene.nodes[2].transform.translation, glm::vec3(0, 1, 0));
@@ -161,15 +161,15 @@ TEST(GltfRead, structure_of_the_puppet) {
 TEST(GltfRead, morph_weights_at_rest_are_those_of_mesh_and_node) {
   GltfBuilder builder = testing::puppet();
   builder.json["meshes"][0]["weights"] = {0.75};
-  EXPECT_EQ(read(builder).meshes[0].weights, std::vector<float>{0.75f});
-  EXPECT_EQ(read(builder).nodes[0].weights, std::vector<float>{});
+  EXPECT_EQ(read_built(builder).meshes[0].weights, std::vector<float>{0.75f});
+  EXPECT_EQ(read_built(builder).nodes[0].weights, std::vector<float>{});
   builder.json["nodes"][0]["weights"] = {0.5};
-  EXPECT_EQ(read(builder).nodes[0].weights, std::vector<float>{0.5f});
+  EXPECT_EQ(read_built(builder).nodes[0].weights, std::vector<float>{0.5f});
 }
 
 TEST(GltfRead, the_texture_that_masks) {
   GltfBuilder builder = testing::puppet();
-  const Texture plain = *read(builder).materials[0].base_colour;
+  const Texture plain = *read_built(builder).materials[0].base_colour;
   EXPECT_EQ(plain.image, ImageId{0});
   EXPECT_EQ(plain.texcoord, 0u);
   EXPECT_EQ(plain.wrap, (std::array{Wrap::repeat, Wrap::repeat}));
@@ -183,7 +183,7 @@ TEST(GltfRead, the_texture_that_masks) {
   surface["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
       {"offset", {0.5, 0.25}}, {"rotation", 1.5}, {"scale", {2, 3}}, {"texCoord", 2}};
   builder.json["extensionsUsed"] = {"KHR_texture_transform"};
-  Material material = read(builder).materials[0];
+  Material material = read_built(builder).materials[0];
   EXPECT_EQ(material.alpha, 0.25f);
   EXPECT_EQ(material.base_colour->wrap, (std::array{Wrap::clamped, Wrap::mirrored}));
   EXPECT_TRUE(material.base_colour->is_nearest);
@@ -193,9 +193,9 @@ TEST(GltfRead, the_texture_that_masks) {
   EXPECT_EQ(material.base_colour->scale, glm::dvec2(2, 3));
 
   builder.json["textures"][0].erase("source");
-  EXPECT_EQ(read(builder).materials[0].base_colour->image, std::nullopt);
+  EXPECT_EQ(read_built(builder).materials[0].base_colour->image, std::nullopt);
   surface.erase("baseColorTexture");
-  EXPECT_FALSE(read(builder).materials[0].base_colour);
+  EXPECT_FALSE(read_built(builder).materials[0].base_colour);
 }
 
 TEST(GltfRead, a_skeleton_that_moves_as_a_whole_does_not_bend) {
@@ -205,7 +205,7 @@ TEST(GltfRead, a_skeleton_that_moves_as_a_whole_does_not_bend) {
     builder.json["scenes"][0]["nodes"] = {0, 3};
     builder.json["animations"][0]["channels"].erase(1);
     builder.json["animations"][0]["channels"][0]["target"]["node"] = moved;
-    return read(builder).draws[0].traits.has(traits::animated);
+    return read_built(builder).draws[0].traits.has(traits::animated);
   };
   EXPECT_FALSE(animated_by(3));
   EXPECT_FALSE(animated_by(0));
@@ -217,14 +217,14 @@ TEST(GltfRead, traits_of_material_nodes_and_extensions) {
   GltfBuilder builder = testing::ribbon(1);
   builder.add("materials", {{"alphaMode", "BLEND"}});
   builder.json["meshes"][0]["primitives"][0]["material"] = 0;
-  EXPECT_EQ(read(builder).draws[0].traits, (Traits{traits::triangles, traits::uv0, traits::blended}));
+  EXPECT_EQ(read_built(builder).draws[0].traits, (Traits{traits::triangles, traits::uv0, traits::blended}));
   builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"] = GltfJson::object();
-  EXPECT_FALSE(read(builder).draws[0].traits.has(traits::extended));
+  EXPECT_FALSE(read_built(builder).draws[0].traits.has(traits::extended));
   builder.json["meshes"][0]["primitives"][0]["extensions"]["ACME_triangle_tags"] = GltfJson::object();
-  EXPECT_TRUE(read(builder).draws[0].traits.has(traits::extended));
-  EXPECT_FALSE(read(builder).draws[0].traits.has(traits::instanced));
+  EXPECT_TRUE(read_built(builder).draws[0].traits.has(traits::extended));
+  EXPECT_FALSE(read_built(builder).draws[0].traits.has(traits::instanced));
   builder.add("nodes", {{"mesh", 0}});
-  EXPECT_TRUE(read(builder).draws[0].traits.has(traits::instanced));
+  EXPECT_TRUE(read_built(builder).draws[0].traits.has(traits::instanced));
 }
 
 TEST(GltfRead, a_material_that_a_variant_makes_transparent_is_told) {
@@ -235,7 +235,7 @@ TEST(GltfRead, a_material_that_a_variant_makes_transparent_is_told) {
     GltfJson& primitive = builder.json["meshes"][0]["primitives"][0];
     primitive["material"] = 0;
     primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {0}}}};
-    return read(builder).materials[0].keeps_sides;
+    return read_built(builder).materials[0].keeps_sides;
   };
   EXPECT_FALSE(keeps_sides({{"name", "red"}}));
   EXPECT_TRUE(keeps_sides({{"alphaMode", "BLEND"}}));
@@ -256,7 +256,7 @@ GltfBuilder instanced_ribbon() {
 }
 
 TEST(GltfRead, gpu_instancing_places_a_mesh_several_times) {
-  const Scene scene = read(instanced_ribbon());
+  const Scene scene = read_built(instanced_ribbon());
   EXPECT_TRUE(scene.draws[0].traits.has(traits::instanced));
   const auto instances = scene.nodes[0].instances.view();
   ASSERT_EQ(instances.size(), 2u);
@@ -270,7 +270,7 @@ TEST(GltfRead, gpu_instancing_places_a_mesh_several_times) {
 TEST(GltfRead, nodes_of_the_same_instances_share_them) {
   GltfBuilder builder = instanced_ribbon();
   builder.add("nodes", builder.json["nodes"][0]);
-  const Scene scene = read(builder);
+  const Scene scene = read_built(builder);
   EXPECT_TRUE(scene.nodes[1].instances.is(scene.nodes[0].instances));
 }
 
@@ -279,7 +279,7 @@ TEST(GltfRead, nodes_outside_of_the_scene_that_is_shown_are_not_shown) {
   builder.json["nodes"] = GltfJson::parse(R"([{"mesh": 0, "children": [2]}, {"mesh": 0}, {"mesh": 0}, {"mesh": 0}])");
   const auto shown = [&] {
     std::vector<bool> are;
-    for (const Node& node : read(builder).nodes) are.push_back(node.is_shown);
+    for (const Node& node : read_built(builder).nodes) are.push_back(node.is_shown);
     return are;
   };
   EXPECT_EQ(shown(), std::vector<bool>(4, true)) << "without scenes all are";
@@ -297,4 +297,4 @@ TEST(GltfRead, nodes_outside_of_the_scene_that_is_shown_are_not_shown) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_read_test

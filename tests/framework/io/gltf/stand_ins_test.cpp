@@ -1,12 +1,12 @@
 // What the replacement of a .gltf and its .bin leaves when it is cut short, and what becomes of that.
-#include <foredraw/io/gltf/private/stand_ins.h>
+#include <foredraw/io/gltf/patch/private/stand_ins.h>
 #include <foredraw/io/scene_file.h>
 
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 #include "support/program.h"
 
-namespace foredraw::gltf {
+namespace foredraw::gltf::stand_ins_test {
 namespace {
 
 using GltfStandIns = testing::InFolder;
@@ -48,4 +48,4 @@ TEST_F(GltfStandIns, NeverTakeTheNameOfOneThatIsInUse) {
 }
 
 }  // namespace
-}  // namespace foredraw::gltf
+}  // namespace foredraw::gltf::stand_ins_test

@@ -6,7 +6,7 @@
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::texture_places_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -146,4 +146,4 @@ TEST(GltfTexturePlaces, OfATextureThatAStagePutIsWrittenOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::texture_places_test

@@ -4,7 +4,7 @@
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::thickness_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -88,4 +88,4 @@ TEST(GltfThickness, OfTheFirstAndOfACopyAreTheirOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::thickness_test

@@ -10,7 +10,7 @@
 #include "support/meshes.h"
 #include "support/test_folder.h"
 
-namespace foredraw {
+namespace foredraw::gltf_write_test {
 namespace {
 
 using namespace foredraw::testing;
@@ -315,4 +315,4 @@ TEST(GltfWrite, chunks_of_others_are_kept) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_write_test

@@ -8,7 +8,7 @@
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
 
-namespace foredraw {
+namespace foredraw::damaged_images_test {
 namespace {
 
 using testing::values_of;
@@ -112,4 +112,4 @@ TEST(DamagedImages, jpeg_tables_of_too_many_codes_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::damaged_images_test

@@ -17,7 +17,7 @@
 #include "support/image_builder.h"
 #include "support/test_folder.h"
 
-namespace foredraw {
+namespace foredraw::images_test {
 namespace {
 
 using testing::Values;
@@ -253,4 +253,4 @@ TEST(Images, pixels_that_do_not_fill_the_picture_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::images_test

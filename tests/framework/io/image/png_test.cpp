@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::png_test {
 namespace {
 
 Texels noise(ImageFacts facts) {
@@ -44,4 +44,4 @@ TEST(EncodePng, TakesOnlyWholeImagesThatPngHas) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::png_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::new_files_test {
 namespace {
 
 template <class T>
@@ -125,5 +125,21 @@ TEST(NewMeshFiles, OtherTrianglesMakeAFileAnew) {
   EXPECT_EQ(again->draws[0].full().stream().triangle_count(), 1u);
 }
 
+TEST(NewMeshFiles, AreMadeOfAnyMeshWithAWarningOfWhatIsLeftOut) {
+  Scene skinned = scene();
+  skinned.skins.emplace_back();
+  skinned.animations.emplace_back();
+  for (const char* name : {"out.obj", "out.ply", "out.off", "out.stl"}) {
+    Diagnostics diagnostics;
+    const auto files = encode_scene(skinned, name, diagnostics);
+    ASSERT_TRUE(files) << to_text(diagnostics);
+    EXPECT_EQ(files->front().bytes, encode_new_mesh_file(skinned, *mesh_kind_of(name), name, diagnostics)->bytes);
+    ASSERT_EQ(diagnostics.all()[0].code, "made-anew") << to_text(diagnostics);
+    EXPECT_NE(diagnostics.all()[0].message.find("the scene was not read from ."), std::string::npos);
+    EXPECT_NE(diagnostics.all()[0].message.find("skins, animations"), std::string::npos)
+        << diagnostics.all()[0].message;
+  }
+}
+
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::new_files_test

@@ -7,7 +7,7 @@
 #include "support/mesh_reading.h"
 #include "support/test_folder.h"
 
-namespace foredraw {
+namespace foredraw::obj_materials_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ TEST_F(MeshObjMaterials, FaultsAreRefusedWhereTheReaderIsStrict) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::obj_materials_test

@@ -2,7 +2,7 @@
 
 #include "support/mesh_reading.h"
 
-namespace foredraw {
+namespace foredraw::off_test {
 namespace {
 
 using testing::read_mesh;
@@ -101,4 +101,4 @@ TEST(MeshOff, RefusalsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::off_test

@@ -5,7 +5,7 @@
 
 #include "support/mesh_reading.h"
 
-namespace foredraw {
+namespace foredraw::ply_test {
 namespace {
 
 using testing::read_mesh;
@@ -275,4 +275,4 @@ TEST(MeshPly, CountsAreHeldAgainstTheBytesThatAreThere) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::ply_test

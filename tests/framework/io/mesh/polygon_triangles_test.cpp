@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace foredraw::mesh_files {
+namespace foredraw::mesh_files::polygon_triangles_test {
 namespace {
 
 struct Cut {
@@ -132,4 +132,4 @@ TEST(PolygonTriangles, TheWorkIsBounded) {
 }
 
 }  // namespace
-}  // namespace foredraw::mesh_files
+}  // namespace foredraw::mesh_files::polygon_triangles_test

@@ -16,7 +16,7 @@
 #include "support/meshes.h"
 #include "support/test_folder.h"
 
-namespace foredraw {
+namespace foredraw::second_opinion_test {
 namespace {
 
 using OpenMesh::EdgeHandle;
@@ -157,4 +157,4 @@ TEST(MeshSecondOpinion, OpenMeshSeesTheSameTriangles) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_opinion_test

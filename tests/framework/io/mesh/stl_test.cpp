@@ -7,7 +7,7 @@
 
 #include "support/mesh_reading.h"
 
-namespace foredraw {
+namespace foredraw::stl_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -176,4 +176,4 @@ TEST(MeshStl, RefusalsNameThePlace) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::stl_test

@@ -14,7 +14,7 @@
 
 #include "support/vector_widths.h"
 
-namespace foredraw::meshopt {
+namespace foredraw::meshopt::vertex_codec_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -265,4 +265,4 @@ TEST(VertexCodec, damaged_streams_end_well) {
 }
 
 }  // namespace
-}  // namespace foredraw::meshopt
+}  // namespace foredraw::meshopt::vertex_codec_test

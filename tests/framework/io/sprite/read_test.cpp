@@ -9,7 +9,7 @@
 #include "support/program.h"
 #include "support/sprites.h"
 
-namespace foredraw {
+namespace foredraw::sprite_read_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -218,4 +218,4 @@ TEST_F(SpriteRead, ListsAreToldFromOtherJson) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_read_test

@@ -15,7 +15,7 @@
 #include "support/program.h"
 #include "support/sprites.h"
 
-namespace foredraw {
+namespace foredraw::sprite_write_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -193,48 +193,19 @@ TEST_F(SpriteWrite, AHeaderCompiles) {
   EXPECT_EQ(std::system((in + "c++ -std=c++11 -Wall -Wextra -Werror -pedantic use.cpp -o use && ./use").c_str()), 0);
 }
 
-TEST_F(SpriteWrite, PicturesAndPagesAreMade) {
-  const Scene scene = trimmed("list.json");
-  const auto files = encode_scene(scene, (folder_ / "sheet.png").string(), told_);
-  ASSERT_TRUE(files) << to_text(told_);
-  EXPECT_TRUE(decode_image(files->front().bytes, {}, told_));
-  for (const char* name : {"out.svg", "out.html"}) {
-    const std::string made = text(scene, name);
-    EXPECT_THAT(made, HasSubstr("a &amp; &lt;b&gt;&quot;?")) << name;
-    EXPECT_THAT(made, Not(HasSubstr("<b>\""))) << name;
-    EXPECT_THAT(made, Not(HasSubstr("script"))) << name;
-    const std::string uri = "data:image/png;base64,";
-    ASSERT_THAT(made, HasSubstr(uri)) << name;
-    EXPECT_EQ(made.find(uri), made.rfind(uri)) << name;  // once
-    const std::string polygon = "class=\"polygon\" d=\"";
-    const std::size_t at = made.find(polygon) + polygon.size();
-    ASSERT_GT(at, polygon.size()) << name;
-    EXPECT_EQ(std::count(made.begin() + at, made.begin() + made.find('"', at), 'L'), 5) << name << ": six corners";
-  }
-  EXPECT_THAT(text(scene, "out.svg"), HasSubstr("-41.4 %"));
-}
-
-/// The image's last column alone is opaque, and red. The polygon goes beyond the image on all sides.
-TEST_F(SpriteWrite, PicturesShowNothingBeyondTheImage) {
-  std::vector<std::uint16_t> values;
-  for (int i = 0; i < 8 * 8; ++i)
-    values.insert(values.end(), {255, 0, 0, i % 8 == 7 ? std::uint16_t{255} : std::uint16_t{0}});
-  testing::put_bytes(folder_ / "edge.png", testing::png_of({8, 8, 4, 8}, values));
-  Scene scene = read("edge.png");
-  testing::trim(scene.draws[0], 8, 2);
-  const auto files = encode_scene(scene, (folder_ / "sheet.png").string(), told_);
-  ASSERT_TRUE(files) << to_text(told_);
-  const auto sheet = decode_image(files->front().bytes, {}, told_);
-  ASSERT_TRUE(sheet && sheet->facts.channels == 3);
-  std::set<std::size_t> columns;
-  for (std::size_t i = 0; i < sheet->bytes.size(); i += 3) {
-    if (std::equal(&sheet->bytes[i], &sheet->bytes[i] + 3,
-                   std::array{std::byte{255}, std::byte{0}, std::byte{0}}.begin()))
-      columns.insert(i / 3 % sheet->facts.width);
-  }
-  ASSERT_FALSE(columns.empty());
-  EXPECT_EQ(columns.size(), *columns.rbegin() - *columns.begin() + 1) << "one column of texels";
-  EXPECT_LE(columns.size(), 16u) << "240 pixels of 16 texels";
+TEST_F(SpriteWrite, PagesAreMade) {
+  const std::string made = text(trimmed("list.json"), "out.html");
+  EXPECT_THAT(made, HasSubstr("a &amp; &lt;b&gt;&quot;?"));
+  EXPECT_THAT(made, Not(HasSubstr("<b>\"")));
+  EXPECT_THAT(made, Not(HasSubstr("script")));
+  EXPECT_THAT(made, HasSubstr("2 sprites, 12 vertices, "));
+  const std::string uri = "data:image/png;base64,";
+  ASSERT_THAT(made, HasSubstr(uri));
+  EXPECT_EQ(made.find(uri), made.rfind(uri)) << "once";
+  const std::string polygon = "class=\"polygon\" d=\"";
+  const std::size_t at = made.find(polygon) + polygon.size();
+  ASSERT_GT(at, polygon.size());
+  EXPECT_EQ(std::count(made.begin() + at, made.begin() + made.find('"', at), 'L'), 5) << "six corners";
 }
 
 TEST_F(SpriteWrite, ImagesOfOtherKindsBecomePng) {
@@ -242,10 +213,7 @@ TEST_F(SpriteWrite, ImagesOfOtherKindsBecomePng) {
   testing::put_bytes(folder_ / "b.exr",
                      testing::exr_of({16, 16, 4, 32, true}, std::vector<float>(16 * 16 * 4, 0.5f), "zip"));
   for (const char* image : {"a.tga", "b.exr"}) {
-    for (const char* name : {"out.svg", "out.html"}) {
-      EXPECT_THAT(text(read(image), name), HasSubstr("data:image/png;base64,iVBOR")) << image;
-    }
-    EXPECT_TRUE(encode_scene(read(image), (folder_ / "sheet.png").string(), told_));
+    EXPECT_THAT(text(read(image), "out.html"), HasSubstr("data:image/png;base64,iVBOR")) << image;
   }
   EXPECT_TRUE(encode_scene(read("a.tga"), (folder_ / "a.glb").string(), told_));
   EXPECT_THAT(refused(read("b.exr"), "b.glb"), HasSubstr("an image of floats"));
@@ -278,38 +246,37 @@ TEST_F(SpriteWrite, GltfHoldsTheSprites) {
 
 TEST_F(SpriteWrite, NothingThatWasReadIsReplaced) {
   const Scene scene = read("list.json");
-  EXPECT_THAT(refused(scene, "atlas.png"), HasSubstr("atlas.png: error: would replace a file"));
-  EXPECT_THAT(refused(scene, "list.json"), HasSubstr("would replace a file"));
-  std::filesystem::create_symlink(folder_ / "atlas.png", folder_ / "link.png");
-  EXPECT_THAT(refused(scene, "link.png"), HasSubstr("would replace a file"));
+  EXPECT_THAT(refused(scene, "list.json"), HasSubstr("list.json: error: would replace a file"));
+  std::filesystem::create_symlink(folder_ / "atlas.png", folder_ / "link.html");
+  EXPECT_THAT(refused(scene, "link.html"), HasSubstr("would replace a file"));
 }
 
 TEST_F(SpriteWrite, MeshesAreNoSprites) {
   Scene scene = testing::scene_of(testing::grid(2, 2));
-  for (const char* name : {"a.svg", "a.png", "a.h", "a.html"}) {
+  for (const char* name : {"a.json", "a.h", "a.html"}) {
     EXPECT_THAT(refused(scene, name), HasSubstr("has no frame")) << name;
   }
-  EXPECT_THAT(refused({}, "a.svg"), HasSubstr("no sprite"));
+  EXPECT_THAT(refused({}, "a.html"), HasSubstr("no sprite"));
   Diagnostics told;
-  EXPECT_FALSE(can_write_scene("a.svg", "a.glb", told));
+  EXPECT_FALSE(can_write_scene("a.html", "a.glb", told));
   EXPECT_THAT(to_text(told), HasSubstr("holds only sprites"));
-  EXPECT_TRUE(can_write_scene("a.svg", "a.png", told));
+  EXPECT_TRUE(can_write_scene("a.html", "a.png", told));
 }
 
 TEST_F(SpriteWrite, SeveralScenesAreWrittenOrNone) {
   const Scene scene = read("list.json");
   std::vector<std::vector<OutputFile>> all;
-  for (const char* name : {"a.svg", "b.gltf", "c.gltf"}) {
+  for (const char* name : {"a.html", "b.gltf", "c.gltf"}) {
     all.push_back(*encode_scene(scene, (folder_ / name).string(), told_));
   }
   ASSERT_TRUE(write_scenes(all, told_)) << to_text(told_);
   EXPECT_EQ(files(),
-            (std::vector<std::string>{"a.svg", "atlas.png", "b.bin", "b.gltf", "c.bin", "c.gltf", "list.json"}));
-  all.front().front().path = folder_ / "no/a.svg";
+            (std::vector<std::string>{"a.html", "atlas.png", "b.bin", "b.gltf", "c.bin", "c.gltf", "list.json"}));
+  all.front().front().path = folder_ / "no/a.html";
   all.back().front().path = folder_ / "d.gltf";
   EXPECT_FALSE(write_scenes(all, told_));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "d.gltf"));
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_write_test

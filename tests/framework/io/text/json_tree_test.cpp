@@ -9,7 +9,7 @@
 
 #include "c/counted_memory.h"
 
-namespace foredraw {
+namespace foredraw::json_tree_test {
 namespace {
 
 using testing::held;
@@ -83,4 +83,4 @@ TEST(JsonTree, IsEmptied) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::json_tree_test

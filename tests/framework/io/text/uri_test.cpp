@@ -9,7 +9,7 @@
 #include "support/gltf_builder.h"
 #include "support/test_folder.h"
 
-namespace foredraw {
+namespace foredraw::uri_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST_F(GltfFiles, untouched_gltf_takes_its_buffer_along) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::uri_test

@@ -7,11 +7,12 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 namespace foredraw::c {
 
 /// Hands the text over, to be freed by the caller. Nothing happens where `to` is NULL.
-void put(const std::string& text, foredraw_text* to);
+void put(std::string_view text, foredraw_text* to);
 
 /// The same of what make() answers, which nobody asks for where `to` is NULL.
 template <class Make>

@@ -3,7 +3,7 @@
 
 #include <foredraw/base/parallel.h>
 #include <foredraw/c/foredraw.h>
-#include <foredraw/io/reading/scene_input.h>
+#include <foredraw/job/job.h>
 #include <foredraw/scene/scene.h>
 #include <foredraw/technique/registry.h>
 
@@ -39,6 +39,7 @@ class Cancellable {
   Cancellable(const Cancellable&) = delete;
   Cancellable& operator=(const Cancellable&) = delete;
 
+  foredraw_context& context() { return context_; }
   const std::atomic<bool>& is_cancelled() const { return is_cancelled_; }
   /// Tells the caller, who may end it.
   std::function<void(std::string_view, double)> progress();
@@ -48,14 +49,13 @@ class Cancellable {
   std::atomic<bool> is_cancelled_ = false;
 };
 
-/// A scene, where its images lie, and what was decoded of it for callers.
+/// The setup of a job that the call runs. The call and the lender outlive it.
+JobSetup setup_for(Cancellable& call, const Lender& lender);
+
+/// A scene, the file that it was first read from, and what was decoded of it for callers.
 struct HeldScene {
-  HeldScene(Scene held, std::string from, std::uint64_t size, std::string content)
-      : scene(std::move(held)),
-        path(std::move(from)),
-        bytes(size),
-        stamp(std::move(content)),
-        lent(scene.draws.size()) {}
+  HeldScene(Scene held, FileRecord from, OutputSettings as = {})
+      : scene(std::move(held)), file(std::move(from)), output(as), lent(scene.draws.size()) {}
 
   struct Lent {
     std::once_flag once;
@@ -64,9 +64,8 @@ struct HeldScene {
   };
 
   const Scene scene;
-  const std::string path;  ///< of the file that it was first read from, or empty
-  const std::uint64_t bytes;
-  const std::string stamp;
+  const FileRecord file;           ///< its path is empty for a scene in memory
+  const OutputSettings output;     ///< of the pipeline that made it
   mutable std::vector<Lent> lent;  ///< [draw]
 };
 

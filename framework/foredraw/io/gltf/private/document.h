@@ -2,7 +2,7 @@
 // A glTF file taken apart and found sound: its JSON, its buffers, and where the elements of every accessor lie.
 // Private to io: the one kind of header that may name the JSON library.
 
-#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/gltf/codecs/private/meshopt.h>
 #include <foredraw/io/text/private/json_tree.h>
 #include <foredraw/scene/product_row.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // EXT_mesh_gpu_instancing, read and written. Private to io.
 
-#include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/layout/private/accessor_store.h>
 #include <foredraw/scene/scene.h>
 
 namespace foredraw::gltf {

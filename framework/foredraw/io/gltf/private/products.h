@@ -1,7 +1,7 @@
 #pragma once
 // Extensions of products, between the JSON of a document and their rows. Private to io.
 
-#include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/layout/private/accessor_store.h>
 #include <foredraw/io/gltf/private/source.h>
 #include <foredraw/scene/product_row.h>
 

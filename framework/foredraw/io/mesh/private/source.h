@@ -12,16 +12,13 @@ class MeshSource final : public SceneSource {
  public:
   MeshKind kind = MeshKind::obj;
   Shared<std::byte> file;                    ///< as it came
-  std::string utf8;                          ///< the text of a file in UTF-16; empty: the file is the text
   Scene as_read;                             ///< its own source is empty
   std::vector<DrawRecords> records;          ///< [draw]
   std::shared_ptr<const gltf::Source> gltf;  ///< what a glTF file is to hold besides the draws
 
   std::uint64_t bytes() const override { return file.size(); }
 
-  std::string_view text() const { return utf8.empty() ? file_text() : utf8; }
-
-  std::string_view file_text() const {
+  std::string_view text() const {
     const auto bytes = file.view();
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }

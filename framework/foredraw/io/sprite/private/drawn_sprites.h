@@ -31,9 +31,6 @@ struct DrawnSprite {
 /// Where a place in texels of the image lies in the whole sprite.
 glm::dvec2 to_sprite(const FrameEntry& frame, const glm::dvec2& texel);
 
-/// "-23.4 %": of the frame's area, saved by what is drawn.
-std::string saving_text(const DrawnSprite& sprite);
-
 /// In the sequence of the draws. nullopt, with an error that names the target, where a draw has no frame or no image of
 /// a size that is known, or there is none.
 std::optional<std::vector<DrawnSprite>> drawn_sprites(const Scene& scene, const std::filesystem::path& target,

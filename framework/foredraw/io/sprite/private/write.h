@@ -26,16 +26,12 @@ std::string image_beside(const Sheet& sheet, std::size_t image, const std::files
 /// How the triangles of all of them run as the picture is seen: "counter-clockwise", "clockwise" or "either".
 std::string winding_of(std::span<const Sheet> sheets);
 
-// Each makes the whole text or file; nullopt, with an error, where it can not be made.
+// Each makes the whole text; nullopt, with an error, where it can not be made.
 std::optional<std::string> list_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
                                      Diagnostics& diagnostics);
 std::optional<std::string> header_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
                                        Diagnostics& diagnostics);
-std::optional<std::string> overlay_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
-                                        Diagnostics& diagnostics);
 std::optional<std::string> page_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
                                      Diagnostics& diagnostics);
-std::optional<std::vector<std::byte>> contact_sheet(std::span<const Sheet> sheets, const std::filesystem::path& target,
-                                                    Diagnostics& diagnostics);
 
 }  // namespace foredraw::sprites

@@ -1,5 +1,5 @@
 #pragma once
-// The tree of a JSON text. Private to io.
+// The tree of a JSON text. Private to io and to reports.
 //
 // The library's own trees do not stand it where memory is short, in five places:
 // - Their destructor, which may not throw, first moves all children into a std::vector, and the program ends if there

@@ -1,0 +1,31 @@
+#pragma once
+// How a scene is written: the choices of [output] in a pipeline, of the command line, and of callers from C and Python.
+// Their words and help are one table, output_words() in pipeline/output_words.h.
+
+namespace foredraw {
+
+/// How glTF data that came compressed (EXT_meshopt_compression, KHR_meshopt_compression) or plain is written.
+enum class Compression {
+  keep,               ///< as it came, as its parts allow: what no stage touched as it was, the rest compressed again
+  none,               ///< plain
+  ext,                ///< compressed for EXT_meshopt_compression, which most readers know
+  khr,                ///< compressed for KHR_meshopt_compression, its successor, whose vertices are shorter
+  draco,              ///< by KHR_draco_mesh_compression, where triangles and vertices keep their order, and all bits
+  draco_edgebreaker,  ///< by the same, where both go into the codec's own order; a warning says so
+};
+
+/// How levels of detail that did not come as MSFT_lod are written.
+enum class LevelsAs {
+  extension,  ///< FOREDRAW_levels on the primitive
+  lod_nodes,  ///< MSFT_lod on the nodes, where it can tell of them
+};
+
+struct OutputSettings {
+  Compression compression = Compression::keep;
+  bool turns_corners = false;  ///< a compressed triangle may start at another of its corners
+  LevelsAs levels = LevelsAs::extension;
+  bool has_products = true;  ///< products of the scene are written with it
+  friend bool operator==(const OutputSettings&, const OutputSettings&) = default;
+};
+
+}  // namespace foredraw
