@@ -177,24 +177,25 @@ function(foredraw_compile_as_test name)
 endfunction()
 
 # A GoogleTest program and its tests: foredraw_add_test(tipsify SOURCES ... LINK ...). Each case has one of ctest's labels:
-# "long" if the filter LONG of GoogleTest selects it, which belongs to `make long-test`, not to `make test`; else "device" or
-# "slow" by the filters in tests/CMakeLists.txt; else the foredraw_label of the folder, or "quick". Quick cases take less than
-# the start of their program, so ctest runs them in four shards; the other cases are tests of their own, found when ctest
-# starts. The shards note their cases' seconds in the folder cases/ of the build.
+# "long" if its name ends with Long or the filter LONG of GoogleTest selects it, which belongs to `make long-test`, not to
+# `make test`; else "device" or "slow" by the filters in tests/CMakeLists.txt. These are tests of their own, found when ctest
+# starts. The other cases have the foredraw_label of the folder, or "quick". They take about as long as the start of their
+# program, so ctest runs them in four shards, which note their cases' seconds in the folder cases/ of the build.
 function(foredraw_add_test name)
-  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   foredraw_compile_as_test(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   foredraw_use_precompiled_headers(${name} foredraw_test_headers)
   # By the names that the suites give: printed parameters hold addresses, which differ from build to build.
   set(discover ${name} DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_PREFIX "${name}.")
-  set(foredraw_long_cases "${ARG_LONG}")
+  set(foredraw_long_cases "*Long:${ARG_LONG}")
   set(labelled "")  # the end of a filter: without the cases that have a label
   foreach(label long device slow)
     set(cases "${foredraw_${label}_cases}")
     if(cases)
-      gtest_discover_tests(${discover} TEST_FILTER "${cases}${labelled}" PROPERTIES LABELS ${label} TIMEOUT 3600)
+      gtest_discover_tests(${discover} TEST_FILTER "${cases}${labelled}"
+                           PROPERTIES LABELS ${label} TIMEOUT 3600 ${ARG_PROPERTIES})
       if(labelled)
         string(APPEND labelled ":${cases}")
       else()
@@ -202,15 +203,14 @@ function(foredraw_add_test name)
       endif()
     endif()
   endforeach()
-  if(foredraw_label AND NOT foredraw_label STREQUAL "quick")
-    gtest_discover_tests(${discover} TEST_FILTER "*${labelled}" PROPERTIES LABELS ${foredraw_label} TIMEOUT 600)
-    return()
+  if(NOT foredraw_label)
+    set(foredraw_label quick)
   endif()
   foreach(shard RANGE 3)
-    set(test "${name}.quick_${shard}")
+    set(test "${name}.${foredraw_label}_${shard}")
     add_test(NAME ${test} COMMAND ${name} "--gtest_filter=*${labelled}" "--gtest_brief=1"
                                   "--gtest_output=xml:${CMAKE_BINARY_DIR}/cases/${test}.xml")
-    set_tests_properties(${test} PROPERTIES LABELS quick TIMEOUT 600
+    set_tests_properties(${test} PROPERTIES LABELS ${foredraw_label} TIMEOUT 1200 ${ARG_PROPERTIES}
                          ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
   endforeach()
 endfunction()

@@ -92,7 +92,7 @@ TEST(EnergyCollapse, RoundsOfTheFitMakeItBetter) {
   EXPECT_LT(mean(3), 0.8 * mean(0));
 }
 
-TEST(EnergyCollapse, TheSeedDecides) {
+TEST(EnergyCollapse, TheSeedDecidesLong) {
   const TestMesh torus = testing::closed_torus(16, 8);
   const auto made = [&](std::uint64_t seed) {
     return energy_collapse(torus.positions, torus.indices, {}, {.seed = seed});
@@ -101,11 +101,11 @@ TEST(EnergyCollapse, TheSeedDecides) {
   EXPECT_NE(made(1), made(2));
 }
 
-TEST(EnergyCollapse, TopologyStays) { testing::expect_topology_stays(with({})); }
+TEST(EnergyCollapse, TopologyStaysLong) { testing::expect_topology_stays(with({})); }
 
 TEST(EnergyCollapse, SeamsStay) { testing::expect_seams_stay(with({})); }
 
-TEST(EnergyCollapse, TakesWhateverItIsGiven) { testing::expect_odd_meshes_run(with({.samples = 2})); }
+TEST(EnergyCollapse, TakesWhateverItIsGivenLong) { testing::expect_odd_meshes_run(with({.samples = 2})); }
 
 /// Numbers whose differences are no floats.
 TEST(EnergyCollapse, TakesWhateverVerticesCarry) {
@@ -148,7 +148,7 @@ Scene textured_wave() {
   return testing::scene_of({std::move(draw)});
 }
 
-TEST(EnergyCollapse, TextureCoordinatesCountInWidthsOfTheTexture) {
+TEST(EnergyCollapse, TextureCoordinatesCountInWidthsOfTheTextureLong) {
   const Scene plain = textured_wave();
   EXPECT_EQ(sequence_of(testing::in_other_units(plain, {.set = 0, .scale = glm::dvec2(0x1p-12)})), sequence_of(plain));
   Scene tiled = plain;

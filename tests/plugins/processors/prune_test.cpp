@@ -111,7 +111,7 @@ TEST(Prune, TracksThatStayWhereTheirNodeRestsGo) {
   EXPECT_THAT(resting_tracks({"", channels}, nodes, near), ElementsAre(true, true, false, false, false, false));
 }
 
-TEST(Prune, OneTrackStaysAndTheAnimationLastsAsLong) {
+TEST(Prune, OneTrackStaysAndTheAnimationKeepsItsTime) {
   const std::vector<Node> nodes(1);
   const AnimationChannel short_one = channel(AnimatedPath::translation, {0, 1}, {0, 0, 0, 0, 0, 0});
   const AnimationChannel long_one = channel(AnimatedPath::translation, {0, 2}, {0, 0, 0, 0, 0, 0});

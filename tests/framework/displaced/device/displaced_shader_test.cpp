@@ -93,37 +93,45 @@ void expect_numbers_of_vertices(std::span<const DisplacedDrawing::Triangle> capt
   EXPECT_TRUE(found == patches);
 }
 
+struct MapCase {
+  std::array<std::uint8_t, 2> wrap;
+  bool is_nearest;
+  VkFormat format;
+};
+
+constexpr MapCase map_cases[] = {{{FOREDRAW_HEIGHT_REPEAT, FOREDRAW_HEIGHT_MIRRORED}, false, VK_FORMAT_R16_UNORM},
+                                 {{FOREDRAW_HEIGHT_CLAMPED, FOREDRAW_HEIGHT_REPEAT}, false, VK_FORMAT_R8_UNORM},
+                                 {{FOREDRAW_HEIGHT_MIRRORED, FOREDRAW_HEIGHT_CLAMPED}, true, VK_FORMAT_R16_UINT}};
+
+void expect_surface_of_processor(gpu::Device& device, TessellationSpacing spacing, const MapCase& of,
+                                 std::uint64_t seed) {
+  DisplacedSurface surface = torus_on_noise(seed, noise(37, 64, seed, of.format == VK_FORMAT_R8_UNORM ? 257 : 1));
+  surface.format = of.format;
+  surface.shader.map.wrap[0] = of.wrap[0];
+  surface.shader.map.wrap[1] = of.wrap[1];
+  surface.shader.map.is_nearest = of.is_nearest;
+  surface.shader.spacing = spacing;
+  surface.shader.levels = DisplacedShader::Levels::stored;
+  surface.levels = random_levels(surface.indices, seed);
+  const std::vector<Places> expected = expected_places(surface);
+  DisplacedDrawing drawing(device, std::move(surface));
+  const std::vector<DisplacedDrawing::Triangle> captured = drawing.captured({}, expected.size() + 1);
+  const std::vector<Places> found = places_of(captured);
+  EXPECT_GT(expected.size(), 10000u);
+  EXPECT_TRUE(found == expected) << found.size() << " triangles, " << expected.size() << " expected";
+  expect_numbers_of_vertices(captured, drawing.surface());
+}
+
 TEST_F(DisplacedOnDevice, SurfacesAreThoseOfTheProcessorToTheBit) {
-  struct Case {
-    std::array<std::uint8_t, 2> wrap;
-    bool is_nearest;
-    VkFormat format;
-  };
-  constexpr std::uint8_t repeat = FOREDRAW_HEIGHT_REPEAT, mirrored = FOREDRAW_HEIGHT_MIRRORED,
-                         clamped = FOREDRAW_HEIGHT_CLAMPED;
-  const Case cases[] = {{{repeat, mirrored}, false, VK_FORMAT_R16_UNORM},
-                        {{clamped, repeat}, false, VK_FORMAT_R8_UNORM},
-                        {{mirrored, clamped}, true, VK_FORMAT_R16_UINT}};
+  expect_surface_of_processor(*device_, equal, map_cases[0], 2);
+  expect_surface_of_processor(*device_, fractional_odd, map_cases[1], 6);
+  expect_surface_of_processor(*device_, fractional_even, map_cases[2], 10);
+}
+
+TEST_F(DisplacedOnDevice, SurfacesOfEverySpacingAndMapAreThoseOfTheProcessorLong) {
   std::uint64_t seed = 1;
   for (const TessellationSpacing spacing : {equal, fractional_odd, fractional_even}) {
-    for (const Case& of : cases) {
-      ++seed;
-      DisplacedSurface surface = torus_on_noise(seed, noise(37, 64, seed, of.format == VK_FORMAT_R8_UNORM ? 257 : 1));
-      surface.format = of.format;
-      surface.shader.map.wrap[0] = of.wrap[0];
-      surface.shader.map.wrap[1] = of.wrap[1];
-      surface.shader.map.is_nearest = of.is_nearest;
-      surface.shader.spacing = spacing;
-      surface.shader.levels = DisplacedShader::Levels::stored;
-      surface.levels = random_levels(surface.indices, seed);
-      const std::vector<Places> expected = expected_places(surface);
-      DisplacedDrawing drawing(*device_, std::move(surface));
-      const std::vector<DisplacedDrawing::Triangle> captured = drawing.captured({}, expected.size() + 1);
-      const std::vector<Places> found = places_of(captured);
-      EXPECT_GT(expected.size(), 10000u);
-      EXPECT_TRUE(found == expected) << found.size() << " triangles, " << expected.size() << " expected";
-      expect_numbers_of_vertices(captured, drawing.surface());
-    }
+    for (const MapCase& of : map_cases) expect_surface_of_processor(*device_, spacing, of, ++seed);
   }
 }
 

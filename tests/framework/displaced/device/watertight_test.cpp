@@ -198,41 +198,56 @@ Parity parity(std::span<const DisplacedDrawing::Counts> counts) {
 /// As many samples as a surface of that size covers at least.
 constexpr std::size_t many = 20000;
 
-TEST_F(Watertight, RepeatedMapsStayClosedAtAnyLevelsInAnyPose) {
+void expect_closed_repeated_maps(gpu::Device& device, TessellationSpacing spacing, std::uint64_t seed) {
+  DisplacedSurface surface = torus_with_seams(17, 11).surface;
+  surface.shader.spacing = spacing;
+  surface.shader.pixels_per_part = 3;
+  if (seed == 3) {
+    bend_at_random(surface, seed);
+  } else {
+    pose_at_random(surface, seed);
+  }
+  const Parity found = parity(DisplacedDrawing(device, surface).counted(frame()));
+  EXPECT_GT(found.covered, many);
+  EXPECT_GT(found.partly, 200u);
+  EXPECT_EQ(found.odd, 0u) << "spacing " << static_cast<int>(spacing) << ", pose " << seed;
+}
+
+TEST_F(Watertight, RepeatedMapsStayClosedInEverySpacing) {
+  expect_closed_repeated_maps(*device_, equal, 1);
+  expect_closed_repeated_maps(*device_, fractional_odd, 2);
+  expect_closed_repeated_maps(*device_, fractional_even, 3);
+}
+
+TEST_F(Watertight, RepeatedMapsStayClosedInEverySpacingAndPoseLong) {
   for (const TessellationSpacing spacing : {equal, fractional_odd, fractional_even}) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      DisplacedSurface surface = torus_with_seams(17, 11).surface;
-      surface.shader.spacing = spacing;
-      surface.shader.pixels_per_part = 3;
-      if (seed == 3) {
-        bend_at_random(surface, seed);
-      } else {
-        pose_at_random(surface, seed);
-      }
-      const Parity found = parity(DisplacedDrawing(*device_, surface).counted(frame()));
-      EXPECT_GT(found.covered, many);
-      EXPECT_GT(found.partly, 200u);
-      EXPECT_EQ(found.odd, 0u) << "spacing " << static_cast<int>(spacing) << ", pose " << seed;
-    }
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_closed_repeated_maps(*device_, spacing, seed);
   }
 }
 
-TEST_F(Watertight, TurnedChartsStayClosedAtTheirLevels) {
+void expect_closed_turned_charts(gpu::Device& device, float level, bool is_bent) {
   DisplacedSurface surface = sphere_of_charts().surface;
   surface.shader.levels = DisplacedShader::Levels::constant;
+  surface.shader.level = level;
+  if (is_bent) {
+    bend_at_random(surface, 2);
+  } else {
+    pose_at_random(surface, 1);
+  }
+  const Parity found = parity(DisplacedDrawing(device, surface).counted(frame()));
+  EXPECT_GT(found.covered, many);
+  EXPECT_EQ(found.odd, 0u) << "level " << level << (is_bent ? ", bent" : "");
+}
+
+TEST_F(Watertight, TurnedChartsStayClosed) {
+  expect_closed_turned_charts(*device_, 1, true);
+  expect_closed_turned_charts(*device_, 2, false);
+  expect_closed_turned_charts(*device_, 16, true);
+}
+
+TEST_F(Watertight, TurnedChartsStayClosedAtTheirLevelsLong) {
   for (const float level : {1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f, 64.0f}) {
-    surface.shader.level = level;
-    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      if (seed == 2) {
-        bend_at_random(surface, seed);
-      } else {
-        surface.shader.joints = 0;
-        pose_at_random(surface, seed);
-      }
-      const Parity found = parity(DisplacedDrawing(*device_, surface).counted(frame()));
-      EXPECT_GT(found.covered, many);
-      EXPECT_EQ(found.odd, 0u) << "level " << level << ", pose " << seed;
-    }
+    for (const bool is_bent : {false, true}) expect_closed_turned_charts(*device_, level, is_bent);
   }
 }
 
@@ -249,27 +264,43 @@ DrawSeams seams_of(const DisplacedSurface& surface) {
   return {0, Shared(table.parts_log2), Shared(table.heights), Shared(table.sides[0])};
 }
 
-/// Their maps are equal at the corners of triangles alone.
-TEST_F(Watertight, ChartsWithStoredSeamsStayClosedAtAnyLevelInEverySpacing) {
+/// Charts whose maps are equal at the corners of triangles alone, and which read their seams from a table.
+DisplacedSurface sphere_with_stored_seams() {
   DisplacedSurface surface = sphere_of_charts(steps, 1).surface;
   const DrawSeams seams = seams_of(surface);
   EXPECT_EQ(seams.sides.size(), 24u);
   surface.seams = seam_words(StoredSeams(seams));
   surface.shader.levels = DisplacedShader::Levels::constant;
+  surface.shader.reads_seams = true;
   pose_at_random(surface, 3);
+  return surface;
+}
+
+void expect_closed_stored_seams(gpu::Device& device, DisplacedSurface& surface, TessellationSpacing spacing,
+                                float level) {
+  surface.shader.spacing = spacing;
+  surface.shader.level = level;
+  const Parity found = parity(DisplacedDrawing(device, surface).counted(frame()));
+  EXPECT_GT(found.covered, many / 2);
+  EXPECT_EQ(found.odd, 0u) << "level " << level << ", spacing " << static_cast<int>(spacing);
+}
+
+TEST_F(Watertight, ChartsWithStoredSeamsStayClosedInEverySpacing) {
+  DisplacedSurface surface = sphere_with_stored_seams();
+  expect_closed_stored_seams(*device_, surface, fractional_odd, 12.3f);
+  expect_closed_stored_seams(*device_, surface, fractional_even, 7);
+  expect_closed_stored_seams(*device_, surface, equal, 7);
+  const auto in_hlsl = DisplacedDrawing(*device_, surface, ShaderLanguage::hlsl).counted(frame());
+  EXPECT_TRUE(in_hlsl == DisplacedDrawing(*device_, surface).counted(frame()));
+  surface.shader.reads_seams = false;
+  EXPECT_GT(parity(DisplacedDrawing(*device_, surface).counted(frame())).odd, 100u) << "the table does it";
+}
+
+TEST_F(Watertight, ChartsWithStoredSeamsStayClosedAtAnyLevelInEverySpacingLong) {
+  DisplacedSurface surface = sphere_with_stored_seams();
   for (const TessellationSpacing spacing : {equal, fractional_odd, fractional_even}) {
-    surface.shader.spacing = spacing;
     for (const float level : {1.0f, 2.0f, 7.0f, 12.3f, 64.0f}) {
-      surface.shader.level = level;
-      surface.shader.reads_seams = true;
-      const Parity found = parity(DisplacedDrawing(*device_, surface).counted(frame()));
-      EXPECT_GT(found.covered, many / 2);
-      EXPECT_EQ(found.odd, 0u) << "level " << level << ", spacing " << static_cast<int>(spacing);
-      if (level != 7 || spacing != equal) continue;
-      const auto in_hlsl = DisplacedDrawing(*device_, surface, ShaderLanguage::hlsl).counted(frame());
-      EXPECT_TRUE(in_hlsl == DisplacedDrawing(*device_, surface).counted(frame()));
-      surface.shader.reads_seams = false;
-      EXPECT_GT(parity(DisplacedDrawing(*device_, surface).counted(frame())).odd, 100u) << "the table does it";
+      expect_closed_stored_seams(*device_, surface, spacing, level);
     }
   }
 }
