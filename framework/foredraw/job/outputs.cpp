@@ -25,10 +25,6 @@ std::vector<std::string> kinds_of(const ProductRows& rows) {
   return kinds;
 }
 
-}  // namespace
-
-namespace {
-
 /// "level2"
 std::optional<std::size_t> level_of(std::string_view kind) {
   constexpr std::string_view word = "level";
@@ -38,24 +34,6 @@ std::optional<std::size_t> level_of(std::string_view kind) {
   const auto [end, mistake] = std::from_chars(kind.data(), kind.data() + kind.size(), level);
   return mistake == std::errc() && end == kind.data() + kind.size() ? std::optional(level) : std::nullopt;
 }
-
-}  // namespace
-
-JobOutput typed_output(const std::string& word, const ProductRows& rows) {
-  const std::size_t colon = word.find(':');
-  const std::string kind = word.substr(0, colon);
-  if (const auto level = level_of(kind); level && colon != std::string::npos) {
-    return {kind, word.substr(colon + 1), nullptr, level};
-  }
-  if (colon == std::string::npos || !std::ranges::count(kinds_of(rows), kind)) return {{}, word};
-  JobOutput output{kind, word.substr(colon + 1)};
-  for (const auto& row : rows) {
-    if (row->card().name == kind) output.row = row;
-  }
-  return output;
-}
-
-namespace {
 
 bool has_kind_for(const JobOutput& kind, const std::filesystem::path& path) {
   if (kind.row) return side_file_kind(*kind.row, path).has_value();
@@ -86,6 +64,20 @@ JobOutput with_kind(JobOutput output, const ProductRows& rows, Diagnostics& diag
 }
 
 }  // namespace
+
+JobOutput typed_output(const std::string& word, const ProductRows& rows) {
+  const std::size_t colon = word.find(':');
+  const std::string kind = word.substr(0, colon);
+  if (const auto level = level_of(kind); level && colon != std::string::npos) {
+    return {kind, word.substr(colon + 1), nullptr, level};
+  }
+  if (colon == std::string::npos || !std::ranges::count(kinds_of(rows), kind)) return {{}, word};
+  JobOutput output{kind, word.substr(colon + 1)};
+  for (const auto& row : rows) {
+    if (row->card().name == kind) output.row = row;
+  }
+  return output;
+}
 
 std::string kinds_text(const ProductRows& rows) { return fmt::format("{}, levelN", fmt::join(kinds_of(rows), ", ")); }
 
