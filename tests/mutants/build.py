@@ -17,7 +17,8 @@ class Build:
         self.folder = self.tree / "build/release"
 
     def make(self, *targets):
-        """True if the targets were built."""
+        """True if the targets were built: names of ninja, or paths of programs in the folder of the build."""
+        targets = [os.path.relpath(target, self.folder) if os.path.isabs(target) else target for target in targets]
         return subprocess.run(["ninja", "-C", self.folder, *targets], stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL).returncode == 0
 
