@@ -61,7 +61,7 @@ auto with_memory(const std::string& file, const char* doing, Step step) {
 /// How the inputs of a command are read.
 SceneInput input_of(const ReadingArguments& reading, const CommonArguments& arguments, const Registry& registry);
 
-/// What the jobs of a command have in common. `how`: as the lender reads.
+/// The setup that all jobs of a command share. `how`: as the lender reads.
 JobSetup setup_of(const CommonArguments& arguments, const Registry& registry, const Executor& executor,
                   const Lender& lender, SceneInput how);
 

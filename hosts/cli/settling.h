@@ -30,7 +30,7 @@ class Settling {
   /// A file that is in `seen` from the next time on.
   void add(const std::string& file, const FileFacts& facts) { seen_.try_emplace(file, facts); }
 
-  /// Those that have settled, sorted; they are forgotten here. One that a program still has open stays.
+  /// Returns and forgets the files that have settled, sorted. One that a program still has open stays.
   std::vector<std::string> settled(Clock::time_point now, const IsOpen& is_open);
 
   Clock::duration quiet() const { return quiet_; }

@@ -1,4 +1,4 @@
-// What the library for C writes, beside what the program writes: the same bytes for every preset and setting, and the
+// Files written by the library for C, beside those of the program: the same bytes for every preset and setting, and the
 // same words where something is wrong.
 
 #include <foredraw/c/foredraw.h>

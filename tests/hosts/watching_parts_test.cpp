@@ -1,4 +1,4 @@
-// What decides when changed files are taken.
+// Parts of the decision when changed files are taken.
 
 #include <settling.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What shaders put out, read back.
+// Outputs of shaders, read back.
 
 #include <foredraw/gpu/memory.h>
 #include <foredraw/gpu/queries.h>

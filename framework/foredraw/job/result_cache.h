@@ -1,5 +1,5 @@
 #pragma once
-// What files came to in earlier runs, on this machine or another.
+// Results of earlier runs by the files that they were made from, on this machine or another.
 
 #include <foredraw/cache/results.h>
 #include <foredraw/io/reading/scene_input.h>

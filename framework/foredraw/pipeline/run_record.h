@@ -6,7 +6,7 @@
 
 namespace foredraw {
 
-/// What a stage or a measurement came to, beside the scene.
+/// The result of a stage or a measurement, beside the scene.
 struct Step {
   StageRecord record;
   std::vector<Measured> measured;

@@ -1,10 +1,10 @@
 #pragma once
-// How a scene is written: the choices of [output] in a pipeline, of the command line, and of callers from C and Python.
-// Their words and help are one table, output_words() in pipeline/output_words.h.
+// Settings of the files that a scene is written as: those of [output] in a pipeline, of the command line, and of
+// callers from C and Python. Their words and help are one table, output_words() in pipeline/output_words.h.
 
 namespace foredraw {
 
-/// How glTF data that came compressed (EXT_meshopt_compression, KHR_meshopt_compression) or plain is written.
+/// Compression of the glTF data that is written, whether it was read compressed or plain.
 enum class Compression {
   keep,               ///< as it came, as its parts allow: what no stage touched as it was, the rest compressed again
   none,               ///< plain
@@ -14,7 +14,7 @@ enum class Compression {
   draco_edgebreaker,  ///< by the same, where both go into the codec's own order; a warning says so
 };
 
-/// How levels of detail that did not come as MSFT_lod are written.
+/// The form in which levels of detail that did not come as MSFT_lod are written.
 enum class LevelsAs {
   extension,  ///< FOREDRAW_levels on the primitive
   lod_nodes,  ///< MSFT_lod on the nodes, where it can tell of them

@@ -59,7 +59,7 @@ std::optional<Shared<T>> rows_of(ExtensionReader& from, const ExtensionValue* nu
   return Shared<T>(std::move(rows));
 }
 
-/// What is wrong with an extension, as the rest of a sentence; caught where reading began.
+/// A mistake in an extension, as the rest of a sentence; caught where reading began.
 struct WrongExtension : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -36,14 +36,14 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
 /// that speaks of frames and can not be read counts as one that names no image.
 std::optional<std::vector<std::filesystem::path>> images_of_list(const std::filesystem::path& list);
 
-/// Whether the extension is one that sprites alone are written as; and all of those.
+/// True if sprites alone are written with that extension; and all such extensions.
 bool is_sprite_output(const std::filesystem::path& path);
 std::vector<std::string_view> sprite_output_extensions();
 
 /// The file that the sprites of one scene, or of several, are written as, by its extension: a frame list (.json), C99
-/// arrays (.h), or a page that shows all sprites (.html). Sprites are
-/// the draws with a frame; their polygons are the triangles that they have now. nullopt, with an error, where a scene
-/// has none, where an image can not be read, or where the file would replace one that a scene was read from.
+/// arrays (.h), or a page that shows all sprites (.html). Sprites are the draws with a frame; their polygons are the
+/// triangles that they have now. nullopt, with an error, if a scene has none, if an image cannot be read, or if the
+/// file would replace one that a scene was read from.
 std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const std::filesystem::path& target,
                                          Diagnostics& diagnostics);
 
